@@ -21,12 +21,12 @@ class AssetRootTest : public testing::Test {
   }
   /// Opens a file in a/b/c/d/e; returns true once loading has ended.
   bool open(const std::string& gltf) {
-    OpenScene& scene = rig.previewer().scene();
+    OpenScene& scene = rig.scene();
     scene.open(folder.write("a/b/c/d/e/s.gltf", gltf));
     return loaded();
   }
   bool loaded() {
-    OpenScene& scene = rig.previewer().scene();
+    OpenScene& scene = rig.scene();
     if (!rig.frames_until([&] { return !scene.loading() && (scene.get() || scene.error()); }))
       return false;
     rig.frame();
@@ -42,7 +42,7 @@ TEST_F(AssetRootTest, ABufferOutsideIsAllowedFromTheMessage) {
   const GltfBuilder square = GltfBuilder::square();
   folder.write("a/square.bin", square.bin);
   ASSERT_TRUE(open(square.gltf("../../../../square.bin")));
-  OpenScene& scene = rig.previewer().scene();
+  OpenScene& scene = rig.scene();
   ASSERT_TRUE(scene.error());
   EXPECT_EQ(scene.outer_root(), outer());
   rig.click("Allow folder");
@@ -65,7 +65,7 @@ TEST_F(AssetRootTest, ATextureOutsideIsAllowedFromTheWarnings) {
   square.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
   square.json["meshes"][0]["primitives"][0]["material"] = 0;
   ASSERT_TRUE(open(square.gltf()));
-  OpenScene& scene = rig.previewer().scene();
+  OpenScene& scene = rig.scene();
   ASSERT_NE(scene.get(), nullptr);
   EXPECT_EQ(scene.outer_root(), outer());
   const std::uint64_t before = scene.times_opened();
@@ -74,7 +74,7 @@ TEST_F(AssetRootTest, ATextureOutsideIsAllowedFromTheWarnings) {
   ASSERT_TRUE(rig.frames_until([&] { return scene.times_opened() > before; }));
   EXPECT_EQ(scene.outer_root(), "") << "it was read, though it is no picture";
   rig.frame();
-  EXPECT_FALSE(rig.content().controls().all().contains("Allow folder"));
+  EXPECT_FALSE(rig.controls().contains("Allow folder"));
 }
 
 }  // namespace

@@ -14,13 +14,11 @@ namespace {
 using CameraPanelTest = test::PanelsTest;
 
 TEST_F(CameraPanelTest, LooksFromASideByKeyOrButton) {
-  const auto back = [this] {
-    return glm::dvec3(rig.previewer().viewpoint().camera().camera().world_from_camera[2]);
-  };
+  const auto back = [this] { return glm::dvec3(rig.camera().camera().world_from_camera[2]); };
   const auto expect_back = [&](glm::dvec3 expected) {
     EXPECT_LT(glm::distance(back(), expected), 1e-12);
   };
-  const glm::dvec3 pivot = rig.previewer().viewpoint().camera().pivot();
+  const glm::dvec3 pivot = rig.camera().pivot();
   rig.key(Key::pad_three);
   expect_back({1, 0, 0});
   rig.chord(Key::ctrl, Key::pad_three);
@@ -39,13 +37,13 @@ TEST_F(CameraPanelTest, LooksFromASideByKeyOrButton) {
   expect_back({0, 1, 0});
   rig.click("Front");
   expect_back({0, 0, 1});
-  EXPECT_LT(glm::distance(rig.previewer().viewpoint().camera().pivot(), pivot), 1e-12);
+  EXPECT_LT(glm::distance(rig.camera().pivot(), pivot), 1e-12);
   EXPECT_TRUE(restarted());
 }
 
 // A view of a whole long object from one side has to contain all of it.
 TEST_F(CameraPanelTest, FromASideTheWholeSceneIsFramedAsItWasBefore) {
-  Viewpoint& viewpoint = rig.previewer().viewpoint();
+  Viewpoint& viewpoint = rig.viewpoint();
   const auto distance = [&] { return viewpoint.camera().distance(); };
   viewpoint.choose_camera(-1);
   rig.frame();
@@ -63,12 +61,12 @@ TEST_F(CameraPanelTest, FromASideTheWholeSceneIsFramedAsItWasBefore) {
 }
 
 TEST_F(CameraPanelTest, TheLensIsChangedAndUndone) {
-  const auto lens = [this] { return rig.previewer().viewpoint().camera().camera(); };
+  const auto lens = [this] { return rig.camera().camera(); };
   const double fov = lens().fov_y_rad;
   rig.key(Key::pad_five);
   EXPECT_EQ(lens().type, Camera::Type::orthographic);
   EXPECT_TRUE(restarted());
-  EXPECT_FALSE(rig.content().controls().all().contains("Field of view"));
+  EXPECT_FALSE(rig.controls().contains("Field of view"));
   rig.click("Projection/Perspective");
   EXPECT_EQ(lens().type, Camera::Type::perspective);
   EXPECT_TRUE(restarted());
@@ -83,8 +81,8 @@ TEST_F(CameraPanelTest, TheLensIsChangedAndUndone) {
 
 // A section view: the plane moves with the camera until the whole scene is framed.
 TEST_F(CameraPanelTest, PlanesOfTheFilesCameraCanBeSwitchedOff) {
-  Viewpoint& viewpoint = rig.previewer().viewpoint();
-  EXPECT_FALSE(rig.content().controls().all().contains("Clip at planes"));
+  Viewpoint& viewpoint = rig.viewpoint();
+  EXPECT_FALSE(rig.controls().contains("Clip at planes"));
   const auto near = [&] { return viewpoint.camera().camera().near_depth; };
   Camera camera = viewpoint.camera().camera();
   camera.near_depth = 1.5;
@@ -102,11 +100,11 @@ TEST_F(CameraPanelTest, PlanesOfTheFilesCameraCanBeSwitchedOff) {
   rig.click("Frame all");
   EXPECT_EQ(near(), std::nullopt);
   rig.frame();
-  EXPECT_FALSE(rig.content().controls().all().contains("Clip at planes"));
+  EXPECT_FALSE(rig.controls().contains("Clip at planes"));
 }
 
 TEST_F(CameraPanelTest, ProjectionKeepsThePlanesPlaces) {
-  Viewpoint& viewpoint = rig.previewer().viewpoint();
+  Viewpoint& viewpoint = rig.viewpoint();
   Camera camera = viewpoint.camera().camera();
   camera.near_depth = 0.5 * viewpoint.camera().distance();
   viewpoint.take_over(camera, 0);

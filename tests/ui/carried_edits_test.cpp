@@ -16,10 +16,7 @@ namespace {
 using nlohmann::json;
 
 Light lamp(const std::string& name, glm::dvec3 position) {
-  Light light;
-  light.name = name;
-  light.position = position;
-  return light;
+  return {.name = name, .position = position};
 }
 
 std::vector<EditedLight> opened_with(const std::vector<Light>& lights) {
@@ -73,8 +70,7 @@ TEST(CarriedEdits, TakesUneditedLightsFromTheFileAndNamesLostOnes) {
 }
 
 TEST(CarriedEdits, FindsMaterialsByNameAndOrder) {
-  Dfr soft;
-  soft.perturbation = 0.5;
+  Dfr soft{.perturbation = 0.5};
   const NamedDfrs before{{"x", "y", "x", "z"}, {std::nullopt, soft, soft, soft}};
   const MaterialDfrs first(4);
   const NamedDfrs opened{{"y", "x", "x"}, MaterialDfrs(3)};
@@ -118,8 +114,8 @@ class ReloadTest : public ChoiceTest {
     edits().edit_dfrs()[0] = Dfr{};
     EXPECT_TRUE(rig.settle());
   }
-  SceneEdits& edits() { return rig.previewer().edits(); }
-  [[nodiscard]] const std::string& message() { return rig.content().state().message; }
+  SceneEdits& edits() { return rig.edits(); }
+  [[nodiscard]] const std::string& message() { return rig.state().message; }
   /// The lights that the render has, after all edits are applied to it.
   [[nodiscard]] float rendered_intensity(std::size_t light) {
     EXPECT_TRUE(rig.frames_until([&] { return !edits().relighting(); }));
@@ -160,10 +156,10 @@ TEST_F(ReloadTest, KeptEditsAreStillUnsaved) {
   const std::uint64_t opened = scene().times_opened();
   scene().reload();
   arrive(opened);
-  rig.content().state().opening = {"builtin:boxes"};
+  rig.state().opening = {"builtin:boxes"};
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_FALSE(scene().loading().has_value());
-  EXPECT_TRUE(rig.content().controls().all().contains("Open"));
+  EXPECT_TRUE(rig.controls().contains("Open"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ class ChoiceTest : public testing::Test {
   /// `list`: the control's name.
   ChoiceTest(std::string list, const GltfBuilder& file) : list_(std::move(list)) {
     rig.set_pixel_size(3);
-    rig.previewer().edits().settings().asos.max_level = 1;
+    rig.settings().asos.max_level = 1;
     open(folder_.write("file.glb", file.glb()));
   }
   void open(const std::string& source) {
@@ -38,7 +38,7 @@ class ChoiceTest : public testing::Test {
     rig.click(list_ + "/" + name);
     arrive(opened);
   }
-  OpenScene& scene() { return rig.previewer().scene(); }
+  OpenScene& scene() { return rig.scene(); }
 
   TemporaryFolder folder_;
   UiRig rig{{}, {660, 700}};

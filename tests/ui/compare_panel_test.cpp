@@ -21,27 +21,23 @@ using test::usual_display;
 
 class ComparePanelTest : public PanelsTest {
  protected:
-  ComparePanelTest() : PanelsTest(1, {660, 480}) {
-    rig.click("section/Compare");
-    rig.frame();
-  }
-  Frames& frames() { return rig.content().state().frames; }
+  ComparePanelTest() : PanelsTest(1, {660, 480}) { rig.click_each({"section/Compare"}); }
+  Frames& frames() { return rig.state().frames; }
   /// Stores a snapshot, and renders another picture, without antialiasing.
   void store_and_change() {
-    rig.click("Keep snapshot");
-    rig.frame();
+    rig.click_each({"Keep snapshot"});
     ASSERT_EQ(frames().stored.size(), 1u);
     settings().asos.max_level = 0;
     settings().asos.leaf = LeafKind::point;
     EXPECT_TRUE(restarted());
-    ASSERT_NE(rig.previewer().render().film().radiance, frames().stored[0].film.radiance);
+    ASSERT_NE(rig.film().radiance, frames().stored[0].film.radiance);
   }
   template <typename Expected>
   void expect_area(const Expected& expected) {
     display().show_legend = false;
     rig.move_to({-10.0f, -10.0f});
     rig.frame();
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     const std::vector<glm::u8vec3> pixels = rig.pixels();
     int wrong = 0;
     for (int y = 0; y < film.height; ++y) {
@@ -52,7 +48,7 @@ class ComparePanelTest : public PanelsTest {
     EXPECT_EQ(wrong, 0);
   }
   [[nodiscard]] glm::u8vec3 now(std::size_t i) {
-    return display_bytes(rig.previewer().render().film(), i, usual_display);
+    return display_bytes(rig.film(), i, usual_display);
   }
   [[nodiscard]] glm::u8vec3 then(std::size_t i) {
     return display_bytes(frames().stored[0].film, i, usual_display);
@@ -91,19 +87,18 @@ TEST_F(ComparePanelTest, FlipShowsTheStoredFrame) {
 
 TEST_F(ComparePanelTest, AWipeShowsBoth) {
   store_and_change();
-  rig.click("Shown as/Wipe");
-  rig.frame();
-  const int width = rig.previewer().render().film().width;
+  rig.click_each({"Shown as/Wipe"});
+  const int width = rig.film().width;
   const auto beside = [&](int line) {
     rig.move_to({-10.0f, -10.0f});
     rig.frame();
     const std::vector<glm::u8vec3> pixels = rig.pixels();
     int wrong = 0;
     constexpr int labels = 40;  // that name the sides
-    for (int y = labels; y < rig.previewer().render().film().height; ++y) {
+    for (int y = labels; y < rig.film().height; ++y) {
       for (int x = 0; x < width; ++x) {
         if (std::abs(x - line) <= 2) continue;  // the line itself
-        const std::size_t i = rig.previewer().render().film().index(x, y);
+        const std::size_t i = rig.film().index(x, y);
         wrong +=
             pixels[static_cast<std::size_t>(y * rig.size().x + x)] != (x < line ? now(i) : then(i));
       }
@@ -112,9 +107,9 @@ TEST_F(ComparePanelTest, AWipeShowsBoth) {
   };
   EXPECT_EQ(beside(static_cast<int>(std::round(0.5f * static_cast<float>(width)))), 0);
   const Controls::Placed line = rig.control("Wipe line");
-  const std::uint64_t revision = rig.previewer().viewpoint().camera().revision();
+  const std::uint64_t revision = rig.camera().revision();
   rig.drag(line.centre(), {80.0f, line.centre().y});
-  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision) << "no orbit";
+  EXPECT_EQ(rig.camera().revision(), revision) << "no orbit";
   EXPECT_EQ(beside(80), 0);
   slide("Wipe", 0.3f, 0.75f);
   EXPECT_NEAR(frames().wipe, 0.75f, 0.02f);
@@ -122,22 +117,20 @@ TEST_F(ComparePanelTest, AWipeShowsBoth) {
 
 TEST_F(ComparePanelTest, DifferencesHaveAnAbsoluteScale) {
   store_and_change();
-  rig.click("Shown as/Difference");
-  rig.frame();
+  rig.click_each({"Shown as/Difference"});
   slide("Scale", 0.5f, 0.75f);
   const float scale = std::exp2(frames().scale_stops);
   EXPECT_NEAR(frames().scale_stops, -2.5f, 0.2f);
   int different = 0;
   expect_area([&](int, std::size_t i) {
-    const float d =
-        difference_of(rig.previewer().render().film(), frames().stored[0].film, i, usual_display);
+    const float d = difference_of(rig.film(), frames().stored[0].film, i, usual_display);
     different += d > 0.0f;
     return heat_colour(d / scale);
   });
   EXPECT_GT(different, 50);
   display().show_legend = true;
   rig.frame();
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   EXPECT_EQ(all.at("Compared").words, "Difference from: ASOS, EPS 1/256, MAX 2");
   EXPECT_EQ(all.at("Difference scale").words, "0 " + scale_words(frames().scale_stops - 1.0f) +
                                                   " " + scale_words(frames().scale_stops));
@@ -174,11 +167,11 @@ TEST_F(ComparePanelTest, NumberKeysShowSnapshots) {
   rig.key(Key::two);
   EXPECT_FALSE(frames().flipped);
   expect_area([&](int, std::size_t i) { return now(i); });
-  const std::uint64_t revision = rig.previewer().viewpoint().camera().revision();
+  const std::uint64_t revision = rig.camera().revision();
   rig.key(Key::three);
   rig.frame();
-  EXPECT_EQ(rig.content().state().message, "No snapshot 3 yet: press S to keep one");
-  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision) << "no view of the camera";
+  EXPECT_EQ(rig.state().message, "No snapshot 3 yet: press S to keep one");
+  EXPECT_EQ(rig.camera().revision(), revision) << "no view of the camera";
 }
 
 TEST_F(ComparePanelTest, ErrorsStandBesideTheNames) {
@@ -188,7 +181,7 @@ TEST_F(ComparePanelTest, ErrorsStandBesideTheNames) {
   rig.click("Snapshot/1");
   for (int i = 0; i < 2; ++i) rig.frame();
   ASSERT_EQ(frames().stored_rmse.size(), 2u);
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   const double rmse = root_mean_square(film, frames().stored[0].film, true);
   EXPECT_GT(rmse, 0.0);
   EXPECT_DOUBLE_EQ(frames().rmse, rmse);
@@ -210,7 +203,7 @@ TEST_F(ComparePanelTest, TheReferenceTellsWhichOneIsCloser) {
   rig.frame();
   EXPECT_TRUE(closer_words(frames()).starts_with("Snapshot 1, ")) << closer_words(frames());
   EXPECT_GT(frames().rmse, 1.5 * frames().stored_rmse[0]) << "it has no antialiasing";
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   EXPECT_DOUBLE_EQ(frames().rmse, root_mean_square(film, *frames().reference.film, true));
   EXPECT_NE(snapshot_csv(frames()).find("\"Reference, "), std::string::npos);
 }
@@ -246,15 +239,15 @@ TEST(SnapshotName, SaysMethodAndQuality) {
 
 TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {
   store_and_change();
-  EXPECT_FALSE(rig.content().controls().all().contains("Resampled"));
+  EXPECT_FALSE(rig.controls().contains("Resampled"));
   rig.click("Shown as/Flip");
   rig.resize({720, 900});
   ASSERT_TRUE(rig.settle());
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   ASSERT_NE(film.height, frames().stored[0].film.height);
   const Film sized = resampled(frames().stored[0].film, {film.width, film.height});
   expect_area([&](int, std::size_t i) { return display_bytes(sized, i, usual_display); });
-  EXPECT_TRUE(rig.content().controls().all().contains("Resampled"));
+  EXPECT_TRUE(rig.controls().contains("Resampled"));
   rig.click("Shown as/Difference");
   const float scale = std::exp2(frames().scale_stops);
   expect_area([&](int, std::size_t i) {
@@ -265,7 +258,7 @@ TEST_F(ComparePanelTest, AFrameOfAnotherSizeIsResampledAndThatIsSaid) {
   EXPECT_LT(frames().rmse, 0.1);
   rig.key(Key::x);
   rig.frame();
-  EXPECT_NE(rig.content().state().message.find("resampled from"), std::string::npos);
+  EXPECT_NE(rig.state().message.find("resampled from"), std::string::npos);
 }
 
 TEST(Frames, ColoursGetBrighterWithTheDifference) {

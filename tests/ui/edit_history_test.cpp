@@ -17,9 +17,9 @@ class EditHistoryTest : public PanelsTest {
   }
   void undo() { rig.chord(Key::ctrl, Key::z); }
   void redo() {
-    rig.content().input().add(KeyChanged{Key::shift, true});
+    rig.input().add(KeyChanged{Key::shift, true});
     rig.chord(Key::ctrl, Key::z);
-    rig.content().input().add(KeyChanged{Key::shift, false});
+    rig.input().add(KeyChanged{Key::shift, false});
     rig.frame();
   }
 };
@@ -53,37 +53,37 @@ TEST_F(EditHistoryTest, SettingsGoBackAndForth) {
 }
 
 TEST_F(EditHistoryTest, TheCameraGoesBackExactly) {
-  const glm::dmat4 first = rig.previewer().viewpoint().camera().camera().world_from_camera;
+  const glm::dmat4 first = rig.camera().camera().world_from_camera;
   rig.drag({200, 200}, {260, 180});
-  const glm::dmat4 second = rig.previewer().viewpoint().camera().camera().world_from_camera;
+  const glm::dmat4 second = rig.camera().camera().world_from_camera;
   // Turns of the wheel in quick succession are one step.
   rest();
   rig.wheel({200, 200}, 1.0f);
   rig.wheel({200, 200}, 1.0f);
   rest();
   undo();
-  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, second);
+  EXPECT_EQ(rig.camera().camera().world_from_camera, second);
   undo();
-  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, first);
+  EXPECT_EQ(rig.camera().camera().world_from_camera, first);
   EXPECT_TRUE(restarted());
 }
 
 TEST_F(EditHistoryTest, LightsAndDisplayGoBack) {
-  const std::size_t lights = rig.previewer().edits().lights().size();
+  const std::size_t lights = rig.edits().lights().size();
   rig.click("Add light");
   rest();
   slide("Exposure", 0.5f, 0.7f);
   EXPECT_GT(display().exposure_ev, 1.0f);
   undo();  // at once: undo ends the step
   EXPECT_EQ(display().exposure_ev, 0.0f);
-  EXPECT_EQ(rig.previewer().edits().lights().size(), lights + 1);
+  EXPECT_EQ(rig.edits().lights().size(), lights + 1);
   undo();
-  EXPECT_EQ(rig.previewer().edits().lights().size(), lights);
+  EXPECT_EQ(rig.edits().lights().size(), lights);
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(rig.previewer().scene()->lights().size(), lights);
+  EXPECT_EQ(rig.scene()->lights().size(), lights);
   redo();
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(rig.previewer().scene()->lights().size(), lights + 1);
+  EXPECT_EQ(rig.scene()->lights().size(), lights + 1);
 }
 
 TEST_F(EditHistoryTest, AnotherSceneAndAnotherSizeAreNoSteps) {
@@ -97,16 +97,14 @@ TEST_F(EditHistoryTest, AnotherSceneAndAnotherSizeAreNoSteps) {
   EXPECT_NE(settings().asos.eps, eps);
   EXPECT_EQ(settings().width, width) << "the window's";
   redo();
-  rig.previewer().scene().open("grating");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  ASSERT_TRUE(rig.opens("grating"));
   rest();
   undo();
   EXPECT_EQ(settings().asos.eps, eps);
 }
 
 TEST_F(EditHistoryTest, SaysWhatWentBack) {
-  const std::string& message = rig.content().state().message;
+  const std::string& message = rig.state().message;
   slide("EPS", 0.5f, 0.9f);
   rest();
   rig.drag({200, 200}, {260, 180});

@@ -23,11 +23,7 @@ static_assert(all_kinds.size() == light_kind_count);
 const SceneSize unit_scene{glm::dvec3(0.0), 1.0};
 
 Light small_ball() {
-  Light light;
-  light.position = {3, 4, 0};
-  light.radius = 0.01;
-  light.intensity = 40.0f;
-  return light;
+  return {.intensity = 40.0f, .position = {3, 4, 0}, .radius = 0.01};
 }
 
 // Irradiance at the centre on a surface that faces the light.
@@ -77,9 +73,7 @@ TEST(EditedLight, SizeIsKeptFromKindToKind) {
 // A lamp among small objects keeps its size for every kind of light. The brightness at the subject
 // stays, even if the light is near and does not face it.
 TEST(EditedLight, ASmallLampStaysSmallAsAnyKind) {
-  Light lamp;
-  lamp.position = {0.3, 0.5, 0.2};
-  lamp.intensity = 185.0f;
+  Light lamp{.intensity = 185.0f, .position = {0.3, 0.5, 0.2}};
   const SceneSize looked_at{{0.1, 0.0, 0.0}, 0.5};
   const auto arriving = [&](const Light& light) {
     const glm::dvec3 way = light.type == Light::Type::directional

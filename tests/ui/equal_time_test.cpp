@@ -14,15 +14,11 @@ namespace {
 using EqualTimeTest = test::PanelsTest;
 
 TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
-  rig.previewer().scene().open("point light");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
-  ASSERT_TRUE(rig.settle());
-  const UiState& state = rig.content().state();
+  ASSERT_TRUE(rig.opens("point light") && rig.settle());
+  const UiState& state = rig.state();
   rig.unfold("Compare");
-  rig.click("With/Method");
-  rig.frame();
-  const auto& all = rig.content().controls().all();
+  rig.click_each({"With/Method"});
+  const auto& all = rig.controls();
   for (const MethodRow& row : method_table())
     EXPECT_EQ(all.contains(std::string("Other method/") + row.title), can_be_timed(row))
         << row.name;
@@ -38,22 +34,18 @@ TEST_F(EqualTimeTest, ShowsTheRivalBesideThePicture) {
 }
 
 TEST_F(EqualTimeTest, ARivalCanBeStopped) {
-  rig.previewer().scene().open("point light");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
-  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.opens("point light") && rig.settle());
   rig.unfold("Compare");
   rig.click("With/Method");
   rig.click("Render and compare");
-  const auto& all = rig.content().controls().all();
-  ASSERT_TRUE(rig.frames_until([&] {
-    return all.contains("Cancel comparison") || !rig.content().state().frames.stored.empty();
-  }));
+  const auto& all = rig.controls();
+  ASSERT_TRUE(rig.frames_until(
+      [&] { return all.contains("Cancel comparison") || !rig.state().frames.stored.empty(); }));
   if (!all.contains("Cancel comparison"))
     GTEST_SKIP() << "the rival was done before it could be stopped";
   rig.click("Cancel comparison");
   ASSERT_TRUE(rig.frames_until([&] { return !all.contains("Cancel comparison"); }));
-  EXPECT_TRUE(rig.content().state().frames.stored.empty());
+  EXPECT_TRUE(rig.state().frames.stored.empty());
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ class EveryControlFixture : public PanelsTest {
 
   /// The state that a control of this part changes.
   [[nodiscard]] std::string state_of(Part part) {
-    UiState& s = rig.content().state();
+    UiState& s = rig.state();
     Previewer& p = rig.previewer();
     const auto numbers = [](auto... values) {
       std::string text;
@@ -129,7 +129,7 @@ class EveryControlFixture : public PanelsTest {
   /// Scrolls to the control; none if it has vanished meanwhile, as *Pause* does once the render has
   /// finished.
   [[nodiscard]] std::optional<Controls::Placed> still_there(const std::string& name) {
-    if (!rig.content().controls().all().contains(name)) return std::nullopt;
+    if (!rig.controls().contains(name)) return std::nullopt;
     try {
       return rig.control(name);
     } catch (const std::runtime_error&) {
@@ -168,26 +168,25 @@ class EveryControlFixture : public PanelsTest {
   /// Restores the initial state, then enters the given one.
   void enter(const std::function<void()>& state) {
     if (rig.size() != small) rig.resize(small);
-    if (rig.previewer().scene().error()) rig.previewer().scene().dismiss_error();
+    if (rig.scene().error()) rig.scene().dismiss_error();
     rig.key(Key::escape);
     // An open list closes when something else is clicked: the status line.
     rig.move_to({3.0f, static_cast<float>(rig.size().y) - 3.0f});
     rig.press(MouseButton::left);
     rig.release(MouseButton::left);
-    rig.content().state() = UiState{};
+    rig.state() = UiState{};
     // "Reset/Window" folds sections.
     StoredSettings stored = rig.content().stored_settings();
     stored.tab = PanelTab::all;
     stored.sections["Advanced (papers)"] = true;
     rig.content().apply(stored);
     clipboard_.clear();
-    rig.content().state().display.exposure_ev = 1.0f;  // so that there is something to reset
+    rig.state().display.exposure_ev = 1.0f;  // so that there is something to reset
     settings() = initial_;
-    rig.previewer().edits().reset_lights();
-    if (rig.previewer().edits().dfrs() != dfrs_of(rig.previewer().scene()->world()))
-      rig.previewer().edits().reset_dfrs();
-    rig.previewer().refinement().set_paused(false);
-    rig.previewer().refinement().limits() = {};
+    rig.edits().reset_lights();
+    if (rig.edits().dfrs() != dfrs_of(rig.scene()->world())) rig.edits().reset_dfrs();
+    rig.refinement().set_paused(false);
+    rig.refinement().limits() = {};
     rig.previewer().turntable() = {};
     state();
     for (int i = 0; i < 2; ++i) rig.frame();
@@ -197,7 +196,7 @@ class EveryControlFixture : public PanelsTest {
   void use_all(const std::string& where, const std::function<void()>& state) {
     enter(state);
     std::vector<std::string> names;
-    for (const auto& [name, placed] : rig.content().controls().all()) {
+    for (const auto& [name, placed] : rig.controls()) {
       if (!placed.edits) continue;
       EXPECT_TRUE(placed.has_tooltip) << name << ", " << where;
       // Some of the built-in scenes take long to load.
@@ -216,13 +215,13 @@ class EveryControlFixture : public PanelsTest {
     const auto known = parts.contains(name) ? parts.find(name) : parts.find(head);
     ASSERT_TRUE(known != parts.end()) << name << " has no test";
     enter(state);
-    if (!rig.content().controls().all().contains(name)) return;
+    if (!rig.controls().contains(name)) return;
     // The chosen option changes nothing; in another state, another option is chosen.
     if (changes(name, known->second)) {
       used_.insert(name);
       reached_.insert(known->first);
     }
-    ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().scene().loading(); }));
+    ASSERT_TRUE(rig.frames_until([&] { return !rig.scene().loading(); }));
   }
 
   /// A row moved by another thread's results may have been missed, so try again.
@@ -233,10 +232,10 @@ class EveryControlFixture : public PanelsTest {
     }
   }
 
-  [[nodiscard]] LightChoice& lights() { return rig.content().state().lights; }
+  [[nodiscard]] LightChoice& lights() { return rig.state().lights; }
   void select_kind(LightKind kind) {
     lights().selected = 0;
-    Light& light = rig.previewer().edits().edit_lights()[0].light;
+    Light& light = rig.edits().edit_lights()[0].light;
     light = as_kind(light, kind, SceneSize{});
     move_light(light, glm::dvec3(0, 0, 1) - light.position);
   }

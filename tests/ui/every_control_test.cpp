@@ -21,9 +21,7 @@ class EveryControlTest : public test::EveryControlFixture {
   void use_lights_and_methods() {
     use_all("a pixel was clicked", [&] {
       lights().selected = 0;
-      s.picked = glm::ivec2(rig.previewer().render().film().width,
-                            rig.previewer().render().film().height) /
-                 2;
+      s.picked = glm::ivec2(rig.film().width, rig.film().height) / 2;
     });
     for (const auto kind :
          {LightKind::point, LightKind::sphere, LightKind::spot, LightKind::directional,
@@ -32,7 +30,7 @@ class EveryControlTest : public test::EveryControlFixture {
               [&, kind] { select_kind(kind); });
     for (const int selected : {0, 1})
       use_all("lights outside the picture", [&, selected] {
-        std::vector<EditedLight>& all = rig.previewer().edits().edit_lights();
+        std::vector<EditedLight>& all = rig.edits().edit_lights();
         all.push_back(all[0]);
         all[0].light.position = {50, 0, 0};
         all[1].light.position = {-50, 0, 0};
@@ -41,7 +39,7 @@ class EveryControlTest : public test::EveryControlFixture {
     // A light that becomes a polygon is a hexagon; the star needs a state of its own.
     use_all("a star", [&] {
       select_kind(LightKind::polygon);
-      set_polygon_shape(rig.previewer().edits().edit_lights()[0].light, PolygonShape::star);
+      set_polygon_shape(rig.edits().edit_lights()[0].light, PolygonShape::star);
     });
     for (const auto method :
          {Method::sobol, Method::sobol_adaptive, Method::stochastic, Method::asos_published})
@@ -51,7 +49,7 @@ class EveryControlTest : public test::EveryControlFixture {
       select_kind(LightKind::sphere);
       settings().shadow.quality = ShadowQuality::extended_divided;
       // The features of the lights come from another thread.
-      (void)rig.frames_until([&] { return rig.content().controls().all().contains("Divisions"); });
+      (void)rig.frames_until([&] { return rig.controls().contains("Divisions"); });
     });
   }
 
@@ -69,9 +67,9 @@ class EveryControlTest : public test::EveryControlFixture {
         show_card(s, rig.previewer(), card, 0.0);
         // Replaying needs a pixel, which another thread finds.
         if (card == static_cast<int>(Tour::Card::split))
-          (void)rig.frames_until([&] { return rig.content().controls().all().contains("Replay"); });
+          (void)rig.frames_until([&] { return rig.controls().contains("Replay"); });
         // Fills the list of snapshots, so that no comparison starts, which would take long.
-        while (card == 4 && s.frames.store(rig.previewer().render().film(), "full", "")) continue;
+        while (card == 4 && s.frames.store(rig.film(), "full", "")) continue;
       });
     use_all("the map's card, by causes", [&] {
       start_tour(s, rig.previewer(), 0.0);
@@ -83,7 +81,7 @@ class EveryControlTest : public test::EveryControlFixture {
         use_all("a bar of two rows", [&, changed, before] {
           rig.resize({1250, 480});
           s.look.show_bar = true;
-          s.frames.store(rig.previewer().render().film(), "one", "");
+          s.frames.store(rig.film(), "one", "");
           s.display.show_split_map = before;
           (void)rig.settle();
           if (!changed) return;
@@ -102,18 +100,15 @@ class EveryControlTest : public test::EveryControlFixture {
                                   Comparison::difference, Comparison::error})
       use_all("compare", [&, comparison] {
         rig.unfold("Compare");
-        s.frames.store(rig.previewer().render().film(), "one", "");
-        s.frames.store(rig.previewer().render().film(), "two", "");
+        s.frames.store(rig.film(), "one", "");
+        s.frames.store(rig.film(), "two", "");
         s.frames.comparison = comparison;
       });
   }
 
   void use_textures_and_mirrors() {
     const auto open = [&](const std::string& source) {
-      rig.previewer().scene().open(source);
-      ASSERT_TRUE(
-          rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; }));
-      ASSERT_TRUE(rig.settle());
+      ASSERT_TRUE(rig.opens(source) && rig.settle());
     };
     open("textured");
     use_all("textures", [] {});
@@ -135,21 +130,16 @@ class EveryControlTest : public test::EveryControlFixture {
       });
     for (const int pyray : {-1, 0})
       use_all("mirrors", [&, pyray] {
-        s.picked = glm::ivec2(rig.previewer().render().film().width,
-                              rig.previewer().render().film().height) /
-                   2;
+        s.picked = glm::ivec2(rig.film().width, rig.film().height) / 2;
         s.picked_pyray = pyray;
         // The report on the pixel comes from another thread.
         (void)rig.frames_until(
-            [&] {
-              return rig.content().controls().all().contains("Pyray/1") ||
-                     rig.content().controls().all().contains("Back");
-            },
+            [&] { return rig.controls().contains("Pyray/1") || rig.controls().contains("Back"); },
             2.0);
         s.picked_pyray = pyray;
       });
     use_all("curved mirrors", [&] { settings().mirror.curved = CurvedMirror::adaptive; });
-    use_all("a material's own blur", [&] { rig.previewer().edits().edit_dfrs()[0].emplace(); });
+    use_all("a material's own blur", [&] { rig.edits().edit_dfrs()[0].emplace(); });
   }
 
   void use_rivals_limits_and_lens() {
@@ -162,11 +152,11 @@ class EveryControlTest : public test::EveryControlFixture {
       for (const char* section : {"Refinement", "Sky", "Compare"}) rig.unfold(section);
       s.frames.with = CompareWith::method;
       s.equal_time.method = Method::stochastic;
-      rig.previewer().refinement().limits().rmse = 0.01;
+      rig.refinement().limits().rmse = 0.01;
     });
     for (const bool paused : {false, true})
       use_all("refinement", [&, paused] {
-        rig.previewer().refinement().set_paused(paused);
+        rig.refinement().set_paused(paused);
         s.frames.with = CompareWith::reference;
         s.check.check = !paused;
       });
@@ -178,7 +168,7 @@ class EveryControlTest : public test::EveryControlFixture {
     use_all("no lens", [&] { set_lens({}); });
     use_all("surfaces", [&] { rig.unfold("Surfaces"); });
     use_all("stopped", [&] {
-      rig.previewer().refinement().set_paused(false);
+      rig.refinement().set_paused(false);
       ASSERT_TRUE(rig.settle());
     });
   }
@@ -223,8 +213,8 @@ class EveryControlTest : public test::EveryControlFixture {
       settings().shadow.light_rule = LightRule::published;
       s.study.automatic = false;
       s.study.reduction = 1;
-      s.frames.store(rig.previewer().render().film(), "one", "");
-      s.frames.store(rig.previewer().render().film(), "two", "");
+      s.frames.store(rig.film(), "one", "");
+      s.frames.store(rig.film(), "two", "");
       s.frames.chosen = 0;
     });
   }
@@ -246,7 +236,7 @@ class EveryControlTest : public test::EveryControlFixture {
       s.browser.folder = files_.path() / "deep";
     });
     use_all("leaving", [&] {
-      s.frames.store(rig.previewer().render().film(), "one", "");
+      s.frames.store(rig.film(), "one", "");
       s.leaving.asked = true;
     });
     use_all("save dialog", [&] {
@@ -289,23 +279,21 @@ class EveryControlTest : public test::EveryControlFixture {
       s.save.what = SaveChoice::What::window;
     });
     use_all("error", [&] {
-      rig.previewer().scene().open("missing");
-      ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+      rig.scene().open("missing");
+      ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
     });
   }
 
   void set_lens(const Lens& lens) {
-    rig.previewer().viewpoint().camera().set_lens(lens);
+    rig.camera().set_lens(lens);
     rig.unfold("Lens");
   }
 
-  UiState& s = rig.content().state();
+  UiState& s = rig.state();
 };
 
 TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
-  rig.previewer().scene().open("point light");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
+  ASSERT_TRUE(rig.opens("point light"));
   use_lights_and_methods();
   use_maps_tour_and_bar();
   use_comparisons();
@@ -322,9 +310,7 @@ TEST_F(EveryControlTest, ChangesWhatItSaysAndHasATooltip) {
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   // Opening another scene later would end the study.
   ASSERT_TRUE(rig.settle());
-  const auto offers = [&](const char* name) {
-    return rig.content().controls().all().contains(name);
-  };
+  const auto offers = [&](const char* name) { return rig.controls().contains(name); };
   rig.unfold("Error vs. time");
   rig.click("Measure");
   EXPECT_TRUE(rig.content().study().busy())

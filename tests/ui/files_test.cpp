@@ -26,17 +26,16 @@ void write(const std::filesystem::path& path, const std::string& text) {
 TEST(StoredSettings, ComeBackAsTheyWere) {
   const test::TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "new" / "window.json";
-  StoredSettings settings;
-  settings.display.exposure_ev = -1.5f;
-  settings.display.split_colours = SplitMapColours::cause;
-  settings.look = {theme::Look::light, 1.25f};
-  settings.tour_seen = true;
-  settings.show_panel = false;
-  settings.display.show_legend = false;
-  settings.display.show_grid = true;
-  settings.display.tone = ToneCurve::agx;
-  settings.watch = true;
-  settings.window_size = {1234, 777};
+  StoredSettings settings{.display = {.exposure_ev = -1.5f,
+                                      .tone = ToneCurve::agx,
+                                      .show_grid = true,
+                                      .show_legend = false,
+                                      .split_colours = SplitMapColours::cause},
+                          .look = {theme::Look::light, 1.25f},
+                          .tour_seen = true,
+                          .show_panel = false,
+                          .watch = true,
+                          .window_size = {1234, 777}};
   settings.look.show_bar = false;
   settings.tab = PanelTab::measure;
   settings.sections = {{"Lights", false}, {"Advanced", true}};
@@ -50,15 +49,13 @@ TEST(StoredSettings, ComeBackAsTheyWere) {
 // The split map is not restored: a new window would show it over another picture.
 TEST(StoredSettings, TheSplitMapIsNotRemembered) {
   const test::TemporaryFolder folder;
-  StoredSettings settings;
-  settings.display.show_split_map = true;
+  StoredSettings settings{.display = {.show_split_map = true}};
   ASSERT_TRUE(save_settings(folder.path() / "window.json", settings).has_value());
   EXPECT_FALSE(load_settings(folder.path() / "window.json")->display.show_split_map);
 }
 
 TEST(StoredSettings, TwoWindowsKeepWhatEachHasChanged) {
-  StoredSettings before;
-  before.recent = {"/old.glb", "/forgotten.glb"};
+  StoredSettings before{.recent = {"/old.glb", "/forgotten.glb"}};
   StoredSettings ours = before, theirs = before;
   ours.watch = true;
   ours.recent = {"/ours.glb", "/old.glb"};
@@ -81,8 +78,7 @@ TEST(StoredSettings, BadFilesAreNoHarm) {
         "{ \"exposure_ev\": 1e9, \"watch\": 7, \"window_size\": [1e99, -3], \"method\": 4, "
         "\"theme\": 1, \"ui_scale\": 99, \"tab\": \"all\", \"sections\": {\"Lights\": 7}, "
         "\"recent\": [1, \"/x.glb\"], \"other\": [] }");
-  StoredSettings expected;
-  expected.recent = {"/x.glb"};
+  StoredSettings expected{.recent = {"/x.glb"}};
   EXPECT_EQ(load_settings(path).value(), expected);
   for (const char* text : {"", "[]", "{", "{\"recent\": \"no list\"", "\xff\xfe"}) {
     write(path, text);
@@ -148,13 +144,9 @@ class WatchedFileTest : public testing::Test {
  protected:
   WatchedFileTest() {
     write(path, "red");
-    rig.previewer().scene().open(path);
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-    EXPECT_TRUE(rig.settle());
+    EXPECT_TRUE(rig.opens(path) && rig.settle());
   }
-  [[nodiscard]] bool green() {
-    return rig.previewer().scene()->world().materials[0].base_color.y > 0.5f;
-  }
+  [[nodiscard]] bool green() { return rig.scene()->world().materials[0].base_color.y > 0.5f; }
 
   test::TemporaryFolder folder;
   std::string path = (folder.path() / "scene.glb").string();
@@ -171,28 +163,27 @@ class WatchedFileTest : public testing::Test {
 
 TEST_F(WatchedFileTest, ReloadKeepsTheView) {
   rig.drag({100, 300}, {160, 280});
-  const glm::dmat4 view = rig.previewer().viewpoint().camera().camera().world_from_camera;
+  const glm::dmat4 view = rig.camera().camera().world_from_camera;
   write(path, "green");
   rig.key(Key::r);
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
-  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, view);
+  EXPECT_EQ(rig.camera().camera().world_from_camera, view);
   write(path, "red");
   rig.click("Reload");
   ASSERT_TRUE(rig.frames_until([&] { return !green(); }));
-  EXPECT_EQ(rig.content().state().recent, std::vector<std::string>{path});
+  EXPECT_EQ(rig.state().recent, std::vector<std::string>{path});
 }
 
 TEST_F(WatchedFileTest, WatchingSurvivesAHalfWrittenFile) {
-  rig.click("Watch file");
-  rig.frame();
+  rig.click_each({"Watch file"});
   EXPECT_TRUE(rig.content().seconds_to_redraw().has_value()) << "the change is found by polling";
   write(path, "gre");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
-  EXPECT_TRUE(rig.previewer().scene().reload_failed());
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
+  EXPECT_TRUE(rig.scene().reload_failed());
   EXPECT_FALSE(green()) << "the previous scene stays";
   write(path, "green");
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
-  EXPECT_FALSE(rig.previewer().scene().error().has_value());
+  EXPECT_FALSE(rig.scene().error().has_value());
 }
 
 // A .gltf with its buffer and texture in the same folder: each of them is watched, and a partly
@@ -221,62 +212,59 @@ TEST(WatchedGltf, SideFilesAreLoadedAgain) {
   EXPECT_EQ(source_files(path), (std::vector{path, folder.file("s.bin"), folder.file("a b.png")}));
 
   UiRig rig({}, {400, 300});
-  rig.content().state().watch = true;
-  rig.previewer().scene().open(path);
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+  rig.state().watch = true;
+  ASSERT_TRUE(rig.opens(path));
   const auto width = [&] {
-    const Box bounds = rig.previewer().scene()->world().bounds;
+    const Box bounds = rig.scene()->world().bounds;
     return bounds.hi.x - bounds.lo.x;
   };
-  const auto red = [&] { return rig.previewer().scene()->world().images.at(0).rgba.at(0); };
+  const auto red = [&] { return rig.scene()->world().images.at(0).rgba.at(0); };
   const float narrow = width();
   EXPECT_EQ(red(), 10);
   paint(200);
   ASSERT_TRUE(rig.frames_until([&] { return red() == 200; }));
   folder.write("s.bin", triangle(-3).substr(0, 30));
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
-  EXPECT_TRUE(rig.previewer().scene().reload_failed());
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
+  EXPECT_TRUE(rig.scene().reload_failed());
   EXPECT_EQ(width(), narrow) << "the previous scene stays";
   folder.write("s.bin", triangle(-3));
   ASSERT_TRUE(rig.frames_until([&] { return width() != narrow; }));
-  EXPECT_FALSE(rig.previewer().scene().error().has_value());
+  EXPECT_FALSE(rig.scene().error().has_value());
 }
 
 // "builtin:box" listed nothing, and Enter said that there is no such file.
 TEST_F(WatchedFileTest, OffersBuiltInScenesWhoseNameIsHalfTyped) {
-  rig.click("Open...");
-  rig.frame();
+  rig.click_each({"Open..."});
   rig.frame();
   rig.type("builtin:boxe");
   rig.frame();
   rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Built-in/boxes"));
-  EXPECT_FALSE(rig.content().controls().all().contains("Built-in/office"));
+  EXPECT_TRUE(rig.controls().contains("Built-in/boxes"));
+  EXPECT_FALSE(rig.controls().contains("Built-in/office"));
   rig.key(Key::enter);
-  const auto error = [&] { return rig.previewer().scene().error(); };
+  const auto error = [&] { return rig.scene().error(); };
   ASSERT_TRUE(rig.frames_until([&] { return error().has_value(); })) << "the rig has no such scene";
   EXPECT_EQ(error()->subject, "builtin:boxes");
 }
 
 TEST_F(WatchedFileTest, RecentFilesAreOffered) {
-  rig.previewer().scene().open("missing");
+  rig.scene().open("missing");
   // The error's message has priority, whenever it comes.
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
   rig.frame();
-  rig.content().state().recent = {path};
+  rig.state().recent = {path};
   rig.key(Key::escape);
-  rig.click("Open...");
-  rig.frame();
+  rig.click_each({"Open..."});
   rig.frame();
   write(path, "green");
   rig.click("Recent/1");
   ASSERT_TRUE(rig.frames_until([&] { return green(); }));
-  EXPECT_FALSE(rig.content().state().show_open);
+  EXPECT_FALSE(rig.state().show_open);
   EXPECT_TRUE(rig.settle());  // sections that appear at the end may move the button
-  rig.content().state().display.exposure_ev = 2.0f;
+  rig.state().display.exposure_ev = 2.0f;
   rig.click("Reset/Window");
-  EXPECT_TRUE(rig.content().state().recent.empty());
-  EXPECT_EQ(rig.content().state().display, DisplaySettings{});
+  EXPECT_TRUE(rig.state().recent.empty());
+  EXPECT_EQ(rig.state().display, DisplaySettings{});
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ class HostileFiles : public testing::Test {
     EXPECT_NE(scene().get(), nullptr);
   }
 
-  OpenScene& scene() { return rig_.previewer().scene(); }
+  OpenScene& scene() { return rig_.scene(); }
 
   void open(const std::string& path) {
     scene().open(path);
@@ -76,14 +76,14 @@ class HostileFiles : public testing::Test {
       rig_.click("Close");
       EXPECT_FALSE(scene().error().has_value());
       rig_.frame();
-      EXPECT_FALSE(rig_.content().controls().all().contains("Close"));
+      EXPECT_FALSE(rig_.controls().contains("Close"));
       return true;
     }
     EXPECT_NE(scene().shared(), before);
     SceneNotes notes = notes_of(*scene());
     notes.not_shown.clear();  // the window has lists for these choices
     const std::vector<std::string> lines = scene_warnings(notes);
-    EXPECT_EQ(rig_.content().controls().all().contains("Copy warnings"), !lines.empty());
+    EXPECT_EQ(rig_.controls().contains("Copy warnings"), !lines.empty());
     if (lines.empty()) return false;
     EXPECT_TRUE(harmless(copied_by("Copy warnings"), lines.size()));
     return false;

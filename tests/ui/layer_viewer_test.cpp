@@ -34,7 +34,7 @@ TEST_F(LayerViewerTest, KeysGoThroughTheLayers) {
   EXPECT_FALSE(display().layer);
   rig.key(Key::right_bracket);
   EXPECT_EQ(display().layer, Layer::alpha);
-  EXPECT_EQ(rig.content().state().message, "Alpha");
+  EXPECT_EQ(rig.state().message, "Alpha");
   show(Layer::normal);
   EXPECT_EQ(middle(), glm::u8vec3(128, 128, 255));
   show(Layer::albedo);
@@ -46,9 +46,9 @@ TEST_F(LayerViewerTest, KeysGoThroughTheLayers) {
 
 TEST_F(LayerViewerTest, LegendAndPointerHaveTheUnit) {
   show(Layer::distance);
-  const std::string legend = rig.content().controls().all().at("Layer scale").words;
+  const std::string legend = rig.controls().at("Layer scale").words;
   EXPECT_EQ(legend.substr(legend.size() - 2), " m") << legend;
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   const std::string words =
       layer_words(film, Layer::distance, film.index(film.width / 2, film.height / 2));
   EXPECT_NEAR(std::stof(words), 3.0f, 0.05f) << words;
@@ -57,25 +57,24 @@ TEST_F(LayerViewerTest, LegendAndPointerHaveTheUnit) {
 
 // A layer is rendered while it is shown, and only then.
 TEST_F(LayerViewerTest, RendersOnlyTheLayerThatIsShown) {
-  EXPECT_TRUE(rig.previewer().render().film().layers.empty());
+  EXPECT_TRUE(rig.film().layers.empty());
   show(Layer::object);
-  ASSERT_EQ(rig.previewer().render().film().layers.size(), 1u);
+  ASSERT_EQ(rig.film().layers.size(), 1u);
   show(Layer::depth);
-  ASSERT_EQ(rig.previewer().render().film().layers.size(), 1u);
-  EXPECT_EQ(rig.previewer().render().film().layers[0].layer, Layer::depth);
+  ASSERT_EQ(rig.film().layers.size(), 1u);
+  EXPECT_EQ(rig.film().layers[0].layer, Layer::depth);
   EXPECT_TRUE(settings().layers.empty()) << "it is no setting of the person's";
   settings().method = Method::beam;
   show(Layer::depth);
-  EXPECT_TRUE(rig.previewer().render().film().layers.empty());
-  EXPECT_EQ(rig.content().controls().all().at("Layer scale").words,
-            "This method does not render it.");
+  EXPECT_TRUE(rig.film().layers.empty());
+  EXPECT_EQ(rig.controls().at("Layer scale").words, "This method does not render it.");
 }
 
 TEST_F(LayerViewerTest, SavesAllOrTheOneThatIsShown) {
   const TemporaryFolder folder;
   show(Layer::depth);
   for (const bool all : {false, true}) {
-    SaveChoice& save = rig.content().state().save;
+    SaveChoice& save = rig.state().save;
     save.exr = true;
     save.layers = all ? SaveChoice::Layers::all : SaveChoice::Layers::shown;
     save.size = {16, 9};

@@ -18,10 +18,8 @@ using test::PanelsTest;
 class LeavingTest : public PanelsTest {
  protected:
   LeavingTest() { setenv("XDG_PICTURES_DIR", folder.path().c_str(), 1); }
-  [[nodiscard]] UiState& state() { return rig.content().state(); }
-  [[nodiscard]] bool shown(const char* control) {
-    return rig.content().controls().all().contains(control);
-  }
+  [[nodiscard]] UiState& state() { return rig.state(); }
+  [[nodiscard]] bool shown(const char* control) { return rig.controls().contains(control); }
   void ask() {
     rig.chord(Key::ctrl, Key::q);
     rig.frame();
@@ -35,10 +33,10 @@ TEST_F(LeavingTest, EscapeClosesOneThingAfterTheOtherAndNeverQuits) {
   EXPECT_TRUE(state().show_help);
   rig.key(Key::escape);
   EXPECT_FALSE(state().show_help);
-  rig.previewer().scene().open("missing");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  rig.scene().open("missing");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
   rig.key(Key::escape);
-  EXPECT_FALSE(rig.previewer().scene().error().has_value());
+  EXPECT_FALSE(rig.scene().error().has_value());
   for (int i = 0; i < 3; ++i) rig.key(Key::escape);
   EXPECT_FALSE(state().leaving.quit);
 }
@@ -49,7 +47,7 @@ TEST_F(LeavingTest, TheHelpIsInsideTheWindow) {
   for (const glm::ivec2 size : {glm::ivec2(1000, 640), {420, 760}, {1920, 1200}}) {
     rig.resize(size);
     for (int i = 0; i < 4; ++i) rig.frame();
-    const Controls::Placed help = rig.content().controls().all().at("Help");
+    const Controls::Placed help = rig.controls().at("Help");
     EXPECT_GE(help.lo.x, 0.0f);
     EXPECT_GE(help.lo.y, 0.0f);
     EXPECT_LE(help.hi.x, static_cast<float>(size.x));
@@ -58,8 +56,7 @@ TEST_F(LeavingTest, TheHelpIsInsideTheWindow) {
 }
 
 TEST_F(LeavingTest, EscapeClosesAListAndLeavesTheRest) {
-  rig.click("View");
-  rig.frame();
+  rig.click_each({"View"});
   state().show_help = true;  // it covers the panel of a window of this width
   rig.frame();
   ASSERT_TRUE(shown("View/front"));
@@ -125,10 +122,9 @@ TEST_F(LeavingTest, EnterConfirmsEveryDialog) {
   state().opening = {"grating"};
   settled();
   ASSERT_TRUE(shown("Open"));
-  EXPECT_EQ(rig.previewer().scene()->geometry->source, "scene");
+  EXPECT_EQ(rig.scene()->geometry->source, "scene");
   rig.key(Key::enter);
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene()->geometry->source == "grating"; }));
   ASSERT_TRUE(rig.settle());
   rig.click("Add light");
   ask();
@@ -141,17 +137,16 @@ TEST_F(LeavingTest, EnterConfirmsEveryDialog) {
 // Dropped files, the dialog, recent files and the next model of the folder all use the same
 // question.
 TEST_F(LeavingTest, OpeningAnotherSceneAsksAboutEditedLights) {
-  const auto opened = [&] { return rig.previewer().scene()->geometry->source; };
+  const auto opened = [&] { return rig.scene()->geometry->source; };
   rig.click("Add light");
-  const std::size_t lights = rig.previewer().edits().lights().size();
+  const std::size_t lights = rig.edits().lights().size();
   state().opening = {"grating"};
   for (int i = 0; i < 3; ++i) rig.frame();
-  EXPECT_FALSE(rig.previewer().scene().loading().has_value());
+  EXPECT_FALSE(rig.scene().loading().has_value());
   ASSERT_TRUE(shown("Open"));
-  rig.click("Cancel");
-  rig.frame();
+  rig.click_each({"Cancel"});
   EXPECT_EQ(opened(), "scene");
-  EXPECT_EQ(rig.previewer().edits().lights().size(), lights);
+  EXPECT_EQ(rig.edits().lights().size(), lights);
   state().opening = {"grating"};
   for (int i = 0; i < 3; ++i) rig.frame();
   rig.click("Open");
@@ -164,29 +159,26 @@ TEST_F(LeavingTest, OpeningAnotherSceneAsksAboutEditedLights) {
 
 TEST_F(LeavingTest, ResetAndUndoneLightsAreNoEdit) {
   rig.click("Add light");
-  rig.click("Reset/Lights");
-  rig.frame();
+  rig.click_each({"Reset/Lights"});
   state().opening = {"grating"};
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene()->geometry->source == "grating"; }));
   ASSERT_TRUE(rig.settle());
   rig.click("Add light");
   for (int i = 0; i < 40; ++i) rig.frame();
   rig.chord(Key::ctrl, Key::z);
   rig.frame();
   state().opening = {"scene"};
-  EXPECT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "scene"; }));
+  EXPECT_TRUE(rig.frames_until([&] { return rig.scene()->geometry->source == "scene"; }));
 }
 
 TEST_F(LeavingTest, ReloadingKeepsEditedLightsWithoutAQuestion) {
   rig.click("Add light");
-  const std::size_t lights = rig.previewer().edits().lights().size();
-  const std::uint64_t opened = rig.previewer().scene().times_opened();
+  const std::size_t lights = rig.edits().lights().size();
+  const std::uint64_t opened = rig.scene().times_opened();
   rig.key(Key::r);
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().times_opened() > opened; }));
   rig.frame();
-  EXPECT_EQ(rig.previewer().edits().lights().size(), lights);
+  EXPECT_EQ(rig.edits().lights().size(), lights);
   EXPECT_EQ(state().message, "Kept 1 light edit");
   ask();
   EXPECT_TRUE(shown("Quit")) << "it is not saved yet";
@@ -198,11 +190,10 @@ TEST_F(LeavingTest, TheDialogAsksAboutEditedLights) {
   for (int i = 0; i < 3; ++i) rig.frame();
   rig.click("Built-in/office");
   for (int i = 0; i < 3; ++i) rig.frame();
-  EXPECT_FALSE(rig.previewer().scene().loading().has_value());
+  EXPECT_FALSE(rig.scene().loading().has_value());
   EXPECT_EQ(state().opening.wanted, "builtin:office");
   ASSERT_TRUE(shown("Open"));
-  rig.click("Cancel");
-  rig.frame();
+  rig.click_each({"Cancel"});
   EXPECT_TRUE(state().opening.wanted.empty());
 }
 
@@ -268,10 +259,10 @@ TEST_F(LeavingTest, APixelsPanelIsCompleteThoughNobodyMoves) {
   rig.set_pixel_size(1);
   EXPECT_TRUE(rig.settle());
   rig.move_to({170, 300});
-  rig.content().input().add(KeyChanged{Key::ctrl, true});
+  rig.input().add(KeyChanged{Key::ctrl, true});
   rig.press(MouseButton::left);
   rig.release(MouseButton::left);
-  rig.content().input().add(KeyChanged{Key::ctrl, false});
+  rig.input().add(KeyChanged{Key::ctrl, false});
   rig.move_to({2, 900});
   ASSERT_TRUE(rig.sleeps());
   const std::vector<glm::u8vec3> asleep = rig.pixels();

@@ -9,10 +9,8 @@ namespace {
 class LensPanelTest : public test::PanelsTest {
  protected:
   LensPanelTest() { rig.unfold("Lens"); }
-  [[nodiscard]] Lens lens() { return rig.previewer().viewpoint().camera().camera().lens; }
-  [[nodiscard]] bool shows(const std::string& control) {
-    return rig.content().controls().all().contains(control);
-  }
+  [[nodiscard]] Lens lens() { return rig.camera().camera().lens; }
+  [[nodiscard]] bool shows(const std::string& control) { return rig.controls().contains(control); }
 };
 
 TEST_F(LensPanelTest, SwitchesDepthOfFieldOnAndOff) {
@@ -33,10 +31,10 @@ TEST_F(LensPanelTest, SwitchesDepthOfFieldOnAndOff) {
 TEST_F(LensPanelTest, ClickSetsFocusOnce) {
   rig.click("Depth of field");
   rig.click("Click to focus");
-  const UiState& state = rig.content().state();
+  const UiState& state = rig.state();
   EXPECT_TRUE(state.lens.click_to_focus);
   // Searches for a pixel that shows a triangle.
-  Viewpoint& viewpoint = rig.previewer().viewpoint();
+  Viewpoint& viewpoint = rig.viewpoint();
   Hit hit;
   for (float y = 100.0f; y < 900.0f && !hit.valid(); y += 50.0f) {
     rig.move_to({150.0f, y});

@@ -31,15 +31,13 @@ TEST_F(LightControlsTest, SobolHasSamplesInPowersOfTwoAndASeed) {
   choose_method("Beam");
   EXPECT_EQ(settings().method, Method::beam);
   rig.frame();
-  for (const char* name : {"Samples", "Seed"})
-    EXPECT_FALSE(rig.content().controls().all().contains(name)) << name;
+  for (const char* name : {"Samples", "Seed"}) EXPECT_FALSE(rig.controls().contains(name)) << name;
 }
 
 TEST_F(LightControlsTest, ShadowControlsRestart) {
   // The lights of the default lighting are area lights.
-  ASSERT_TRUE(rig.previewer().scene()->lighting->default_lights_added);
-  rig.click("Soft shadows");
-  rig.frame();
+  ASSERT_TRUE(rig.scene()->lighting->default_lights_added);
+  rig.click_each({"Soft shadows"});
   rig.click("Soft shadows/extended-divided");
   EXPECT_EQ(settings().shadow.quality, ShadowQuality::extended_divided);
   EXPECT_TRUE(restarted());
@@ -62,7 +60,7 @@ TEST_F(LightControlsTest, ShadowControlsRestart) {
 TEST_F(LightControlsTest, ShadowControlsAreShownWhereTheyMeanSomething) {
   const auto shown = [&](const char* name) {
     rig.frame();
-    return rig.content().controls().all().contains(name);
+    return rig.controls().contains(name);
   };
   for (const auto& [name, quality] : shadow_quality_names) {
     settings().shadow.quality = quality;
@@ -82,48 +80,38 @@ TEST_F(LightControlsTest, ShadowControlsAreShownWhereTheyMeanSomething) {
   EXPECT_FALSE(shown("Soft shadows"));
   EXPECT_TRUE(shown("Light rule/Physical"));
   settings().method = Method::asos;
-  rig.previewer().scene().open("point light");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
+  ASSERT_TRUE(rig.opens("point light"));
   EXPECT_FALSE(shown("Soft shadows"));
   EXPECT_TRUE(shown("Light rule/Physical"));
 }
 
 TEST_F(LightControlsTest, TheScenePanelCountsLightsByKind) {
-  const auto shown = [&](const char* name) {
-    return rig.content().controls().all().contains(name);
-  };
+  const auto shown = [&](const char* name) { return rig.controls().contains(name); };
   EXPECT_TRUE(shown("   rectangle")) << "the default lighting";
   EXPECT_FALSE(shown("   point"));
-  rig.previewer().scene().open("point light");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
+  ASSERT_TRUE(rig.opens("point light"));
   rig.frame();
   EXPECT_TRUE(shown("   point"));
   EXPECT_FALSE(shown("   rectangle"));
   EXPECT_FALSE(shown("   emissive"));
-  rig.previewer().scene().open("shining");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "shining"; }));
+  ASSERT_TRUE(rig.opens("shining"));
   rig.frame();
   EXPECT_TRUE(shown("   emissive"));
 }
 
 TEST_F(LightControlsTest, TheStatisticsListEightLightsAndCountTheOthers) {
-  rig.previewer().scene().open("nine lights");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "nine lights"; }));
+  ASSERT_TRUE(rig.opens("nine lights"));
   rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("   8 point"));
-  EXPECT_FALSE(rig.content().controls().all().contains("   9 point"));
-  EXPECT_TRUE(rig.content().controls().all().contains("   ..."));
+  EXPECT_TRUE(rig.controls().contains("   8 point"));
+  EXPECT_FALSE(rig.controls().contains("   9 point"));
+  EXPECT_TRUE(rig.controls().contains("   ..."));
 }
 
 TEST_F(LightControlsTest, EveryOptionsTextFitsItsButton) {
   rig.key(Key::m);
   rig.frame();
   int looked_at = 0;
-  for (const auto& [name, at] : rig.content().controls().all()) {
+  for (const auto& [name, at] : rig.controls()) {
     const std::size_t slash = name.find('/');
     if (slash == std::string::npos || name.starts_with("section/") || name.starts_with("Help/") ||
         name.starts_with("Object/"))

@@ -27,8 +27,7 @@ namespace {
 
 /// A wavy square of 2 x side x side triangles.
 Scene waves(int side, std::string source) {
-  Scene scene;
-  scene.source = std::move(source);
+  Scene scene{.source = std::move(source)};
   Mesh mesh;
   for (int y = 0; y <= side; ++y) {
     for (int x = 0; x <= side; ++x) {
@@ -44,8 +43,7 @@ Scene waves(int side, std::string source) {
     }
   }
   scene.meshes.push_back(std::move(mesh));
-  Instance instance;
-  instance.mesh = 0;
+  Instance instance{.mesh = 0};
   scene.instances.push_back(instance);
   return scene;
 }
@@ -78,9 +76,7 @@ Memory memory() {
 // Embree keeps a few hundred bytes per thread that ever built something with it, and each load
 // starts such a thread: negligible for scenes of a few megabytes.
 TEST(PreviewerMemory, IsBackAfterTwoHundredScenes) {
-  RenderSettings settings;
-  settings.threads = 1;
-  settings.asos.max_level = 1;
+  RenderSettings settings{.asos = {.max_level = 1}, .threads = 1};
   Previewer previewer({[](const std::string& source) -> Result<Scene> {
                          return waves(source == "large" ? 100 : 8, source);
                        },
@@ -150,26 +146,23 @@ TEST(WindowMemory, HoldsTheSceneThatIsOpenAndNothingElse) {
       },
       {300, 200});
   rig.set_pixel_size(3);
-  rig.previewer().edits().settings().asos.max_level = 0;
+  rig.settings().asos.max_level = 0;
   std::vector<std::weak_ptr<const RenderScene>> seen;
   const auto open = [&](const std::string& source) {
-    const std::uint64_t opened = rig.previewer().scene().times_opened();
-    rig.previewer().scene().open(source);
-    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
-    seen.push_back(rig.previewer().scene().shared());
+    ASSERT_TRUE(rig.opens(source));
+    seen.push_back(rig.scene().shared());
   };
   for (int round = 0; round < 3; ++round) {
     for (const char* source : {"large", "small", "large", "small"})
       ASSERT_NO_FATAL_FAILURE(open(source));
   }
   ASSERT_TRUE(rig.frames_until([&] {
-    return rig.previewer().scene()->geometry->boundaries.known() &&
-           rig.previewer().render().progress().finished;
+    return rig.scene()->geometry->boundaries.known() && rig.render().progress().finished;
   }));
   ASSERT_TRUE(rig.frames_until([&] {
     return std::count_if(seen.begin(), seen.end(), [](const auto& s) { return !s.expired(); }) == 1;
   })) << "previous scenes are still in memory";
-  EXPECT_EQ(seen.back().lock(), rig.previewer().scene().shared());
+  EXPECT_EQ(seen.back().lock(), rig.scene().shared());
   if (test::sanitized) return;  // the sanitizers keep freed memory
   // Freed memory went back to the system by itself, so another request returns little.
   ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().gives_memory_back(); }));

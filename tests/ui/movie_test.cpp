@@ -145,9 +145,7 @@ class MovieDialogTest : public PanelsTest {
     setenv("PATH", path_before.c_str(), 1);
     unsetenv("XDG_PICTURES_DIR");
   }
-  [[nodiscard]] bool has(const char* control) {
-    return rig.content().controls().all().contains(control);
-  }
+  [[nodiscard]] bool has(const char* control) { return rig.controls().contains(control); }
   void frames(int count) {
     for (int i = 0; i < count; ++i) rig.frame();
   }
@@ -162,7 +160,7 @@ TEST_F(MovieDialogTest, OffersMp4OnlyWithFfmpeg) {
   rig.click("Content/Turntable");
   frames(2);
   EXPECT_FALSE(has("Movie format/MP4"));
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   ASSERT_TRUE(has("Movie format"));
   EXPECT_NE(all.at("Movie format").words.find("needs ffmpeg"), std::string::npos);
   folder.write("ffmpeg", "#!/bin/sh\n");
@@ -175,15 +173,14 @@ TEST_F(MovieDialogTest, OffersMp4OnlyWithFfmpeg) {
 TEST_F(MovieDialogTest, SavesTheFramesOfATurn) {
   rig.chord(Key::ctrl, Key::s);
   frames(3);
-  SaveChoice& choice = rig.content().state().save;
+  SaveChoice& choice = rig.state().save;
   choice.what = SaveChoice::What::turntable;
   choice.frames = 2;
   choice.size = {16, 12};
   frames(2);
   rig.click("Save");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.content().state().message.starts_with("Saved "); }, 20.0))
-      << rig.content().state().message;
+  ASSERT_TRUE(rig.frames_until([&] { return rig.state().message.starts_with("Saved "); }, 20.0))
+      << rig.state().message;
   EXPECT_TRUE(fs::exists(folder.file("scene-001-0000.png")));
   EXPECT_TRUE(fs::exists(folder.file("scene-001-0001.png")));
 }

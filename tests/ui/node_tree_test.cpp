@@ -15,10 +15,8 @@ namespace {
 /// root - (arm - hand, lamp), and a light without surfaces. Objects: 0 and 3 of the hand, 1 of the
 /// lamp, 2 of the arm.
 SceneContents contents() {
-  SceneContents c;
-  c.nodes = {{"root", -1}, {"arm", 0}, {"sun", 0}, {"hand", 1}, {"lamp", 0}};
-  c.object_nodes = {3, 4, 1, 3};
-  return c;
+  return {.nodes = {{"root", -1}, {"arm", 0}, {"sun", 0}, {"hand", 1}, {"lamp", 0}},
+          .object_nodes = {3, 4, 1, 3}};
 }
 
 std::string names(const NodeTree& tree, const std::set<int>& open) {
@@ -61,17 +59,14 @@ class NodeListTest : public testing::Test {
  protected:
   NodeListTest() {
     rig.set_pixel_size(3);
-    rig.previewer().scene().open("nodes");
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-    EXPECT_TRUE(rig.settle());
+    EXPECT_TRUE(rig.opens("nodes") && rig.settle());
     rig.unfold("Objects");
     (void)rig.control("section/Scene");  // the list is laid out only if it is visible
     rig.frame();
   }
   [[nodiscard]] bool hides(const std::vector<int>& hidden) {
-    return rig.frames_until([&] {
-      return rig.previewer().scene().hidden() == hidden && !rig.previewer().scene().loading();
-    });
+    return rig.frames_until(
+        [&] { return rig.scene().hidden() == hidden && !rig.scene().loading(); });
   }
 
   UiRig rig{[](const std::string& source) -> Result<Scene> { return with_nodes(source); },
@@ -81,23 +76,21 @@ class NodeListTest : public testing::Test {
 TEST_F(NodeListTest, ANodeIsHiddenWithAllBelowItAndShownAgain) {
   rig.click("Node visible/2");
   ASSERT_TRUE(hides({0, 2}));
-  EXPECT_EQ(rig.previewer().scene()->world().parts.size(), 1u);
+  EXPECT_EQ(rig.scene()->world().parts.size(), 1u);
   // The other node is the last visible one, so it stays.
-  rig.click("Node visible/3");
-  rig.frame();
-  EXPECT_EQ(rig.previewer().scene().hidden(), (std::vector<int>{0, 2}));
-  EXPECT_FALSE(rig.previewer().scene().loading());
+  rig.click_each({"Node visible/3"});
+  EXPECT_EQ(rig.scene().hidden(), (std::vector<int>{0, 2}));
+  EXPECT_FALSE(rig.scene().loading());
   rig.click("Node visible/2");
   ASSERT_TRUE(hides({}));
-  EXPECT_EQ(rig.previewer().scene()->world().parts.size(), 3u);
+  EXPECT_EQ(rig.scene()->world().parts.size(), 3u);
 }
 
 // The default ground counted as an object, so that everything else could be hidden.
 TEST_F(NodeListTest, TheGroundIsNoObject) {
-  rig.previewer().edits().settings().ground = Ground::on;
+  rig.settings().ground = Ground::on;
   const auto on_ground = [&] {
-    return rig.frames_until(
-        [&] { return ground_of(rig.previewer().scene()->world()) == Ground::on; });
+    return rig.frames_until([&] { return ground_of(rig.scene()->world()) == Ground::on; });
   };
   ASSERT_TRUE(on_ground());
   rig.frame();
@@ -108,13 +101,11 @@ TEST_F(NodeListTest, TheGroundIsNoObject) {
   ASSERT_TRUE(on_ground());
   rig.frame();
   EXPECT_EQ(rig.control("Objects").words, "1");
-  rig.click("Node visible/3");
-  rig.frame();
-  EXPECT_EQ(rig.previewer().scene().hidden(), (std::vector<int>{0, 2}));
-  rig.click("List by/Materials");
-  rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Object/1"));
-  EXPECT_FALSE(rig.content().controls().all().contains("Object/2"));
+  rig.click_each({"Node visible/3"});
+  EXPECT_EQ(rig.scene().hidden(), (std::vector<int>{0, 2}));
+  rig.click_each({"List by/Materials"});
+  EXPECT_TRUE(rig.controls().contains("Object/1"));
+  EXPECT_FALSE(rig.controls().contains("Object/2"));
 }
 
 TEST_F(NodeListTest, IsolateShowsOneNode) {
@@ -126,13 +117,12 @@ TEST_F(NodeListTest, IsolateShowsOneNode) {
 }
 
 TEST_F(NodeListTest, AClickInThePictureChoosesItsNode) {
-  const Film& film = rig.previewer().render().film();
-  rig.content().state().picked = glm::ivec2(film.width, film.height) / 2;
+  const Film& film = rig.film();
+  rig.state().picked = glm::ivec2(film.width, film.height) / 2;
   rig.frame();
-  EXPECT_EQ(rig.content().state().outline.node, 1);
-  rig.click("List by/Materials");
-  rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Object/1"));
+  EXPECT_EQ(rig.state().outline.node, 1);
+  rig.click_each({"List by/Materials"});
+  EXPECT_TRUE(rig.controls().contains("Object/1"));
 }
 
 }  // namespace

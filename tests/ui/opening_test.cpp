@@ -17,9 +17,7 @@ namespace {
 class OpeningTest : public PreviewerTest {};
 
 TEST_F(OpeningTest, TheOpenSceneStaysWhenAnotherFails) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {48, 32}));
   previewer.scene().open("/no/such.glb");
   ASSERT_TRUE(update_until([&] { return previewer.scene().error().has_value(); }));
   EXPECT_EQ(previewer.scene().error()->message(), "/no/such.glb: there is no such file");
@@ -28,8 +26,7 @@ TEST_F(OpeningTest, TheOpenSceneStaysWhenAnotherFails) {
   ASSERT_TRUE(finished());
 
   // The next scene removes the message.
-  previewer.scene().open("green");
-  ASSERT_TRUE(opened("green"));
+  ASSERT_TRUE(opens("green"));
   EXPECT_FALSE(previewer.scene().error().has_value());
 }
 
@@ -80,8 +77,7 @@ TEST_F(OpeningTest, ReplacingASceneWhoseBoundariesAreLookedForIsSafe) {
   previewer.viewpoint().set_picture_size(64, 48, 0.0);
   std::weak_ptr<const Geometry> before;
   for (const char* source : {"many", "green", "many"}) {
-    previewer.scene().open(source);
-    ASSERT_TRUE(opened(source));
+    ASSERT_TRUE(opens(source));
     // Waits for the coarse picture only.
     ASSERT_TRUE(update_until([&] { return !previewer.render().first_picture_pending(); }));
     EXPECT_TRUE(before.expired()) << "the scene before " << source;
@@ -153,10 +149,9 @@ TEST(StoppedLoad, ShowsTheBoxMeanwhile) {
   EndlessLoader loader;
   UiRig rig(loader.function());
   const auto open_red = [&] {
-    rig.previewer().scene().open("red");
+    rig.scene().open("red");
     return rig.frames_until([&] {
-      return rig.previewer().scene() && !rig.previewer().scene().loading() &&
-             !rig.previewer().render().first_picture_pending();
+      return rig.scene() && !rig.scene().loading() && !rig.render().first_picture_pending();
     });
   };
   ASSERT_TRUE(open_red());
@@ -176,9 +171,9 @@ TEST(StoppedLoad, ShowsTheBoxMeanwhile) {
     return count;
   };
   EXPECT_EQ(lines(), 0);
-  rig.previewer().scene().open("endless");
+  rig.scene().open("endless");
   ASSERT_TRUE(rig.frames_until([&] {
-    const auto loading = rig.previewer().scene().loading();
+    const auto loading = rig.scene().loading();
     return loading && loading->preview && loading->seconds > loading_box_delay;
   }));
   EXPECT_GT(lines(), 150);

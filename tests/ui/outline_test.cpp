@@ -20,9 +20,7 @@ TEST(HiddenObjects, ArePlacesAmongThoseThatShowSomething) {
       scene.instances[i].name = std::string(1, static_cast<char>('a' + static_cast<char>(i)));
     // A mesh without surfaces between the triangles.
     scene.meshes.emplace_back();
-    Instance nothing;
-    nothing.mesh = static_cast<int>(scene.meshes.size()) - 1;
-    nothing.name = "-";
+    Instance nothing{.name = "-", .mesh = static_cast<int>(scene.meshes.size()) - 1};
     scene.instances.insert(scene.instances.begin() + 1, nothing);
     leave_out(scene, hidden);
     std::string names;
@@ -51,15 +49,14 @@ TEST(Extensions, AreThoseThatAMaterialAsksFor) {
   EXPECT_EQ(extensions_of(m),
             (std::vector<std::string>{"KHR_materials_dispersion", "KHR_materials_ior",
                                       "KHR_materials_transmission", "KHR_materials_volume"}));
-  Material other;
-  other.coat.factor = 1.0f;
-  other.sheen.color = glm::vec3(0.1f);
-  other.film.factor = 0.2f;
-  other.specular_color = {1.0f, 0.5f, 0.5f};
-  other.emissive_strength = 5.0f;
-  other.unlit = true;
-  other.diffuse_transmission.factor = 0.3f;
-  other.anisotropy.strength = 0.5f;
+  Material other{.emissive_strength = 5.0f,
+                 .unlit = true,
+                 .specular_color = {1.0f, 0.5f, 0.5f},
+                 .coat = {.factor = 1.0f},
+                 .sheen = {.color = glm::vec3(0.1f)},
+                 .film = {.factor = 0.2f},
+                 .anisotropy = {.strength = 0.5f},
+                 .diffuse_transmission = {.factor = 0.3f}};
   EXPECT_EQ(extensions_of(other),
             (std::vector<std::string>{"KHR_materials_anisotropy", "KHR_materials_clearcoat",
                                       "KHR_materials_diffuse_transmission",
@@ -70,16 +67,13 @@ TEST(Extensions, AreThoseThatAMaterialAsksFor) {
 
 class OutlineTest : public PanelsTest {
  protected:
-  OutlineTest() {
-    rig.click("section/Objects");
-    rig.frame();
-  }
-  [[nodiscard]] std::size_t parts() { return rig.previewer().scene()->world().parts.size(); }
+  OutlineTest() { rig.click_each({"section/Objects"}); }
+  [[nodiscard]] std::size_t parts() { return rig.scene()->world().parts.size(); }
   [[nodiscard]] bool becomes(std::size_t count) {
-    return rig.frames_until([&] { return parts() == count && !rig.previewer().scene().loading(); });
+    return rig.frames_until([&] { return parts() == count && !rig.scene().loading(); });
   }
   [[nodiscard]] glm::vec3 middle() {
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     return film.radiance[film.index(film.width / 2, film.height / 2)];
   }
   /// The list is laid out only if it is visible.
@@ -89,9 +83,7 @@ class OutlineTest : public PanelsTest {
     rig.click(object);
   }
   /// The eye, in the author's coordinates.
-  [[nodiscard]] glm::dvec3 eye() {
-    return rig.previewer().viewpoint().camera().eye() + rig.previewer().scene()->world().origin;
-  }
+  [[nodiscard]] glm::dvec3 eye() { return rig.camera().eye() + rig.scene()->world().origin; }
 };
 
 TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
@@ -99,17 +91,16 @@ TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
   const glm::vec3 both = middle();
   const glm::dvec3 eye_before = eye();
   // A click on the red triangle, which is in front.
-  const Film& film = rig.previewer().render().film();
-  rig.content().state().picked = glm::ivec2(film.width, film.height) / 2;
+  const Film& film = rig.film();
+  rig.state().picked = glm::ivec2(film.width, film.height) / 2;
   rig.frame();
-  EXPECT_EQ(rig.content().state().outline.selected, 0);
+  EXPECT_EQ(rig.state().outline.selected, 0);
   rig.click("Hide");
   ASSERT_TRUE(becomes(1));
   ASSERT_TRUE(rig.settle());
   EXPECT_NE(middle(), both);
   EXPECT_NEAR(glm::distance(eye(), eye_before), 0.0, 1e-9);
-  rig.click("Hide");
-  rig.frame();
+  rig.click_each({"Hide"});
   EXPECT_EQ(parts(), 1u) << "none is chosen";
 
   rig.click("Show all");
@@ -119,35 +110,34 @@ TEST_F(OutlineTest, WhatWasClickedIsHiddenAndIsolatedAndTheViewStays) {
   EXPECT_NEAR(glm::distance(eye(), eye_before), 0.0, 1e-9);
 
   choose("Object/2");
-  EXPECT_EQ(rig.content().state().outline.selected, 1);
+  EXPECT_EQ(rig.state().outline.selected, 1);
   rig.click("Isolate");
   ASSERT_TRUE(becomes(1));
-  EXPECT_EQ(rig.previewer().scene().hidden(), std::vector<int>{0});
+  EXPECT_EQ(rig.scene().hidden(), std::vector<int>{0});
   // After a reload the object stays hidden; another scene has nothing hidden.
-  const std::uint64_t opened = rig.previewer().scene().times_opened();
-  rig.previewer().scene().reload();
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+  const std::uint64_t opened = rig.scene().times_opened();
+  rig.scene().reload();
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().times_opened() > opened; }));
   EXPECT_EQ(parts(), 1u);
-  rig.previewer().scene().open("scene");
+  rig.scene().open("scene");
   ASSERT_TRUE(becomes(2));
-  EXPECT_TRUE(rig.previewer().scene().hidden().empty());
+  EXPECT_TRUE(rig.scene().hidden().empty());
 }
 
 // The list shows a few of hundreds of objects, including the clicked one.
 TEST_F(OutlineTest, TheListShowsWhatWasClicked) {
   rig.set_pixel_size(1);
-  rig.previewer().scene().open("grating");
+  rig.scene().open("grating");
   ASSERT_TRUE(rig.frames_until([&] { return parts() > 200; }));
   ASSERT_TRUE(rig.settle());
   (void)rig.control("section/Scene");  // the list is laid out only if it is visible
   rig.frame();
-  const auto& controls = rig.content().controls().all();
+  const auto& controls = rig.controls();
   const auto pick = [&](float across) {
-    const Film& film = rig.previewer().render().film();
-    rig.content().state().picked =
-        glm::ivec2(glm::vec2(film.width, film.height) * glm::vec2(across, 0.6f));
+    const Film& film = rig.film();
+    rig.state().picked = glm::ivec2(glm::vec2(film.width, film.height) * glm::vec2(across, 0.6f));
     for (int i = 0; i < 4; ++i) rig.frame();
-    const int selected = rig.content().state().outline.selected;
+    const int selected = rig.state().outline.selected;
     EXPECT_GE(selected, 0);
     const Controls::Placed row = controls.at("Object/" + std::to_string(selected + 1));
     const Controls::Placed above = controls.at("Find object");
@@ -163,13 +153,12 @@ TEST_F(OutlineTest, TheLastObjectStays) {
   rig.click("Isolate");
   ASSERT_TRUE(becomes(1));
   ASSERT_TRUE(rig.settle());
-  ASSERT_EQ(rig.content().state().outline.selected, -1);
+  ASSERT_EQ(rig.state().outline.selected, -1);
   choose("Object/1");
-  ASSERT_EQ(rig.content().state().outline.selected, 0);
-  rig.click("Hide");
-  rig.frame();
+  ASSERT_EQ(rig.state().outline.selected, 0);
+  rig.click_each({"Hide"});
   EXPECT_EQ(parts(), 1u);
-  EXPECT_EQ(rig.content().state().message, "No other object");
+  EXPECT_EQ(rig.state().message, "No other object");
 }
 
 }  // namespace

@@ -20,15 +20,13 @@ using test::PanelsTest;
 
 // Rows of results once came and went, so that a button below them was missed.
 TEST_F(PanelsTest, RowsStayInPlaceWhileAPictureRenders) {
-  rig.previewer().scene().open("mirrors");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "mirrors"; }));
+  ASSERT_TRUE(rig.opens("mirrors"));
   for (const char* section : {"Compare", "Statistics", "Refinement", "Scene", "Objects"})
     rig.unfold(section);
   ASSERT_TRUE(rig.settle());
   const auto places = [&] {
     std::map<std::string, float> tops;
-    for (const auto& [name, placed] : rig.content().controls().all())
+    for (const auto& [name, placed] : rig.controls())
       tops[name == "Stop" ? "Restart" : name] = placed.lo.y;  // one button
     return tops;
   };
@@ -41,26 +39,23 @@ TEST_F(PanelsTest, RowsStayInPlaceWhileAPictureRenders) {
       return true;
     }
     EXPECT_EQ(places().size(), before.size());
-    return !rig.previewer().render().progress().running;
+    return !rig.render().progress().running;
   };
   settings().asos.eps *= 2.0;
   ASSERT_TRUE(rig.frames_until(stays));
   settings().asos.max_level = 4;
   ASSERT_TRUE(rig.frames_until(stays));
-  rig.previewer().scene().reload();
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().loading().has_value(); }));
-  ASSERT_TRUE(
-      rig.frames_until([&] { return stays() && !rig.previewer().scene().loading().has_value(); }));
+  rig.scene().reload();
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().loading().has_value(); }));
+  ASSERT_TRUE(rig.frames_until([&] { return stays() && !rig.scene().loading().has_value(); }));
 }
 
 // Texture filtering by area needs no texture samples.
 TEST_F(PanelsTest, TrIsOfferedWhereItCounts) {
-  rig.previewer().scene().open("textured");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "textured"; }));
+  ASSERT_TRUE(rig.opens("textured"));
   const auto offered = [&] {
     for (int i = 0; i < 3; ++i) rig.frame();
-    return rig.content().controls().all().contains("TR");
+    return rig.controls().contains("TR");
   };
   ASSERT_EQ(settings().texture.filter, TextureFilter::footprint);
   EXPECT_FALSE(offered());
@@ -86,19 +81,14 @@ TEST(SectionHelp, DrawsPixelsAsTheDefaultSplitsThem) {
 }
 
 TEST_F(PanelsTest, TheChosenObjectsTexturesAreListed) {
-  rig.previewer().scene().open("textured");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "textured"; }));
-  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.opens("textured") && rig.settle());
   rig.unfold("Objects");
-  const auto& all = rig.content().controls().all();
-  rig.click("Object/1");
-  rig.frame();
+  const auto& all = rig.controls();
+  rig.click_each({"Object/1"});
   ASSERT_TRUE(all.contains("Texture/Base color"));
   EXPECT_EQ(all.at("Texture/Base color").words, "Base color: RGB, opacity A, 2 x 2");
   EXPECT_FALSE(all.contains("Texture/Normal"));
-  rig.click("Object/2");
-  rig.frame();
+  rig.click_each({"Object/2"});
   EXPECT_FALSE(all.contains("Texture/Base color")) << "its material has none";
 }
 
@@ -106,19 +96,16 @@ TEST_F(PanelsTest, TheChosenObjectsTexturesAreListed) {
 TEST_F(PanelsTest, TheScaleBarHasTheLengthOfThePivot) {
   rig.resize({1300, 800});
   ASSERT_TRUE(rig.settle());
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   EXPECT_FALSE(all.contains("Scale"));
-  rig.previewer().scene().open("plain.glb");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "plain.glb"; }));
-  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.opens("plain.glb") && rig.settle());
   ASSERT_TRUE(all.contains("Scale"));
   const Controls::Placed bar = all.at("Scale");
   EXPECT_EQ(bar.words, "50 cm");
-  OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  OrbitCamera& camera = rig.camera();
   const glm::dvec3 across(0.5, 0.0, 0.0);
-  const View view = rig.previewer().viewpoint().view();
-  const Film& film = rig.previewer().render().film();
+  const View view = rig.viewpoint().view();
+  const Film& film = rig.film();
   const Frame frame = view.frame(0.0, 0.0, film.width, film.height);
   const auto at = [&](glm::dvec3 p) { return frame.project(frame.homogeneous(p)).u; };
   const double pixels = (at(camera.pivot() + across) - at(camera.pivot())) * film.width;
@@ -129,14 +116,12 @@ TEST_F(PanelsTest, TheScaleBarHasTheLengthOfThePivot) {
 }
 
 TEST_F(PanelsTest, AListTakesTheWheelOnlyOnceItWasClicked) {
-  rig.previewer().scene().open("nine lights");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "nine lights"; }));
+  ASSERT_TRUE(rig.opens("nine lights"));
   rig.resize({660, 420});
   for (int i = 0; i < 4; ++i) rig.frame();
   const glm::vec2 row = rig.control("Light/2").centre();
-  const auto section_y = [&] { return rig.content().controls().all().at("section/Lights").lo.y; };
-  const auto row_y = [&] { return rig.content().controls().all().at("Light/2").lo.y; };
+  const auto section_y = [&] { return rig.controls().at("section/Lights").lo.y; };
+  const auto row_y = [&] { return rig.controls().at("Light/2").lo.y; };
   float section = section_y(), light = row_y();
   rig.wheel(row, -1.0f);
   rig.frame();
@@ -147,7 +132,7 @@ TEST_F(PanelsTest, AListTakesTheWheelOnlyOnceItWasClicked) {
   for (int i = 0; i < 3; ++i) rig.frame();
   section = section_y();
   light = row_y();
-  rig.wheel(rig.content().controls().all().at("Light/3").centre(), -1.0f);
+  rig.wheel(rig.controls().at("Light/3").centre(), -1.0f);
   rig.frame();
   EXPECT_EQ(section_y(), section);
   EXPECT_LT(row_y(), light) << "a clicked list scrolls";
@@ -165,17 +150,17 @@ TEST(Panel, OnlyGrowsWhenTheSceneComes) {
   stored.tab = PanelTab::all;
   stored.sections["Advanced"] = true;
   rig.content().apply(stored);
-  rig.previewer().scene().open("plain");
+  rig.scene().open("plain");
   const auto controls = [&] {
     for (int i = 0; i < 4; ++i) rig.frame();
     std::set<std::string> names;
-    for (const auto& [name, placed] : rig.content().controls().all())
+    for (const auto& [name, placed] : rig.controls())
       if (placed.edits) names.insert(name);
     return names;
   };
   const std::set<std::string> before = controls();
   released = true;
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().get() != nullptr; }));
   ASSERT_TRUE(rig.settle());
   const std::set<std::string> after = controls();
   EXPECT_GT(before.size(), 10u);

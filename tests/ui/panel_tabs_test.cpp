@@ -15,9 +15,9 @@ class PanelTabsTest : public test::PanelsTest {
  protected:
   [[nodiscard]] bool shows(const std::string& control) {
     for (int i = 0; i < 4; ++i) rig.frame();
-    return rig.content().controls().all().contains(control);
+    return rig.controls().contains(control);
   }
-  UiState& state() { return rig.content().state(); }
+  UiState& state() { return rig.state(); }
 };
 
 // UiRig begins with the state of a first start.
@@ -26,14 +26,14 @@ TEST(FirstWindow, ShowsTheBarAndTheFirstTab) {
                     return test::two_triangles({1, 0, 0}, source);
                   },
                   {1100, 600}};
-  rig.previewer().scene().open("plain");
+  rig.scene().open("plain");
   ASSERT_TRUE(rig.settle());
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   EXPECT_TRUE(all.contains("Layer/Picture"));
   EXPECT_TRUE(all.contains("section/Antialiasing"));
   EXPECT_FALSE(all.contains("section/Lights"));
   (void)rig.control("section/Lights");
-  EXPECT_EQ(rig.content().state().tab, PanelTab::scene) << "its tab was clicked";
+  EXPECT_EQ(rig.state().tab, PanelTab::scene) << "its tab was clicked";
 }
 
 TEST_F(PanelTabsTest, EachShowsItsSections) {
@@ -66,7 +66,7 @@ TEST_F(PanelTabsTest, SearchFindsControlsOfAllTabs) {
   state().search.clear();
   rig.frame();
   // Once a letter that followed Ctrl+F at once was a shortcut: "p" saved a picture.
-  InputQueue& input = rig.content().input();
+  InputQueue& input = rig.input();
   input.add(KeyChanged{Key::ctrl, true});
   input.add(KeyChanged{Key::f, true});
   input.add(KeyChanged{Key::f, false});

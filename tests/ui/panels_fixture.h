@@ -26,10 +26,8 @@ class PanelsTest : public testing::Test {
     stored.sections["Advanced (papers)"] = true;
     stored.look.show_bar = false;  // the panel has no controls that the bar shows
     rig.content().apply(stored);
-    rig.previewer().scene().open("scene");
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-    EXPECT_TRUE(rig.settle());
-    restarts_ = rig.previewer().render().restarts();
+    EXPECT_TRUE(rig.opens("scene") && rig.settle());
+    restarts_ = rig.render().restarts();
   }
 
   /// Drags a slider, from and to fractions of its width.
@@ -48,12 +46,12 @@ class PanelsTest : public testing::Test {
   /// for the picture of the previous render.
   bool restarted() {
     EXPECT_TRUE(rig.settle());
-    const bool yes = rig.previewer().render().restarts() > restarts_;
-    restarts_ = rig.previewer().render().restarts();
+    const bool yes = rig.render().restarts() > restarts_;
+    restarts_ = rig.render().restarts();
     return yes;
   }
-  RenderSettings& settings() { return rig.previewer().edits().settings(); }
-  DisplaySettings& display() { return rig.content().state().display; }
+  RenderSettings& settings() { return rig.settings(); }
+  DisplaySettings& display() { return rig.state().display; }
 
   /// Renders every pixel of the window, for tests that read them.
   void show_all_pixels() {

@@ -41,9 +41,9 @@ TEST_F(PanelsTest, EpsIsDraggedOnALogarithmicScale) {
 TEST_F(PanelsTest, TypedValuesStayInTheirRange) {
   for (const auto& [typed, expected] :
        {std::pair<std::string, double>{"0.25", 0.25}, {"99", 1.0}, {"-3", 0.0}, {"1e999", 1.0}}) {
-    rig.content().input().add(KeyChanged{Key::ctrl, true});
+    rig.input().add(KeyChanged{Key::ctrl, true});
     rig.click("EPS");
-    rig.content().input().add(KeyChanged{Key::ctrl, false});
+    rig.input().add(KeyChanged{Key::ctrl, false});
     rig.frame();
     rig.chord(Key::ctrl, Key::a);
     rig.type(typed);
@@ -80,10 +80,10 @@ TEST_F(PanelsTest, AWideFilterIsOfferedWhereTheMethodHasOne) {
   EXPECT_EQ(settings().filter_width, RenderSettings::max_filter_width);
   choose_method("Sobol");
   rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Pixel filter"));
+  EXPECT_TRUE(rig.controls().contains("Pixel filter"));
   choose_method("Whitted");
   rig.frame();
-  EXPECT_FALSE(rig.content().controls().all().contains("Pixel filter"));
+  EXPECT_FALSE(rig.controls().contains("Pixel filter"));
 }
 
 TEST_F(PanelsTest, OtherMethodsShowTheirSamples) {
@@ -91,7 +91,7 @@ TEST_F(PanelsTest, OtherMethodsShowTheirSamples) {
   EXPECT_EQ(settings().method, Method::stochastic);
   EXPECT_TRUE(restarted());
   rig.frame();
-  EXPECT_FALSE(rig.content().controls().all().contains("EPS"));
+  EXPECT_FALSE(rig.controls().contains("EPS"));
   slide("Samples", 0.1f, 0.2f);
   const int side = static_cast<int>(std::lround(std::sqrt(settings().sampling.spp)));
   EXPECT_EQ(side * side, settings().sampling.spp);
@@ -107,7 +107,7 @@ TEST_F(PanelsTest, AMethodThatSamplesToEpsShowsEpsAndMax) {
   EXPECT_EQ(settings().method, Method::sobol_adaptive);
   EXPECT_TRUE(restarted());
   rig.frame();
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   EXPECT_FALSE(all.contains("Samples"));
   EXPECT_FALSE(all.contains("Cell shading/Exact area"));
   ASSERT_TRUE(all.contains("Seed"));
@@ -128,7 +128,7 @@ TEST_F(PanelsTest, DisplayControlsRestartNothing) {
   slide("Dimming", 0.5f, 0.25f);
   EXPECT_LT(display().split_dimming, 0.5f);
   rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Level/exact"));
+  EXPECT_TRUE(rig.controls().contains("Level/exact"));
   rig.key(Key::m);
   EXPECT_FALSE(display().show_split_map);
   EXPECT_FALSE(restarted());
@@ -155,7 +155,7 @@ TEST_F(PanelsTest, TheLegendShowsTheScaleOfLevels) {
 }
 
 TEST_F(PanelsTest, MouseAndKeysMoveTheCamera) {
-  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  const OrbitCamera& camera = rig.camera();
   const glm::dvec3 pivot = camera.pivot();
   const glm::dmat4 before = camera.camera().world_from_camera;
   rig.drag({200, 200}, {260, 180});
@@ -175,20 +175,20 @@ TEST_F(PanelsTest, MouseAndKeysMoveTheCamera) {
   EXPECT_TRUE(restarted());
 
   const glm::dvec3 orbited = camera.pivot();
-  rig.content().input().add(KeyChanged{Key::shift, true});
+  rig.input().add(KeyChanged{Key::shift, true});
   rig.drag({200, 200}, {260, 180});
-  rig.content().input().add(KeyChanged{Key::shift, false});
+  rig.input().add(KeyChanged{Key::shift, false});
   rig.frame();
   EXPECT_NE(camera.pivot(), orbited) << "Shift turns an orbit into a pan";
 }
 
 TEST_F(PanelsTest, TheRightButtonLooksAroundAndKeysFly) {
-  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  const OrbitCamera& camera = rig.camera();
   const glm::dvec3 eye = camera.eye();
   rig.drag({200, 500}, {260, 480}, MouseButton::right);
   EXPECT_TRUE(restarted());
   EXPECT_LT(glm::distance(camera.eye(), eye), 1e-9) << "it only looks around";
-  rig.content().input().add(KeyChanged{Key::w, true});
+  rig.input().add(KeyChanged{Key::w, true});
   for (int i = 0; i < 5; ++i) rig.frame();
   EXPECT_LT(glm::distance(camera.eye(), eye), 1e-9) << "no flight without the button";
   rig.press(MouseButton::right);
@@ -196,7 +196,7 @@ TEST_F(PanelsTest, TheRightButtonLooksAroundAndKeysFly) {
   const glm::dvec3 ahead = -glm::dvec3(camera.camera().world_from_camera[2]);
   const glm::dvec3 from = camera.eye();
   for (int i = 0; i < 30; ++i) rig.frame();
-  rig.content().input().add(KeyChanged{Key::w, false});
+  rig.input().add(KeyChanged{Key::w, false});
   rig.release(MouseButton::right);
   const glm::dvec3 way = camera.eye() - from;
   EXPECT_GT(glm::dot(way, ahead), 0.1);
@@ -205,23 +205,21 @@ TEST_F(PanelsTest, TheRightButtonLooksAroundAndKeysFly) {
 }
 
 TEST_F(PanelsTest, ADragThatBeginsOnThePanelLeavesTheCameraAlone) {
-  const std::uint64_t revision = rig.previewer().viewpoint().camera().revision();
+  const std::uint64_t revision = rig.camera().revision();
   const Controls::Placed at = rig.control("Exposure");
   rig.drag(at.centre(), {100.0f, 100.0f});
-  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision);
+  EXPECT_EQ(rig.camera().revision(), revision);
 }
 
 TEST_F(PanelsTest, CamerasAreChosenFromTheList) {
-  ASSERT_EQ(rig.previewer().viewpoint().chosen_camera(), 0);
-  rig.click("View");
-  rig.frame();
+  ASSERT_EQ(rig.viewpoint().chosen_camera(), 0);
+  rig.click_each({"View"});
   rig.click("View/Whole scene");
-  EXPECT_EQ(rig.previewer().viewpoint().chosen_camera(), -1);
+  EXPECT_EQ(rig.viewpoint().chosen_camera(), -1);
   EXPECT_TRUE(restarted());
-  rig.click("View");
-  rig.frame();
+  rig.click_each({"View"});
   rig.click("View/front");
-  EXPECT_EQ(rig.previewer().viewpoint().chosen_camera(), 0);
+  EXPECT_EQ(rig.viewpoint().chosen_camera(), 0);
   rig.click("Frame all");
   EXPECT_TRUE(restarted());
 }
@@ -231,23 +229,22 @@ TEST_F(PanelsTest, TheOpenDialogOpensWhatIsTyped) {
   rig.frame();
   rig.frame();
   rig.type("second");
-  EXPECT_EQ(rig.content().state().browser.typed, "second");
+  EXPECT_EQ(rig.state().browser.typed, "second");
   rig.key(Key::enter);
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "second"; }));
-  EXPECT_FALSE(rig.content().state().show_open);
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene()->geometry->source == "second"; }));
+  EXPECT_FALSE(rig.state().show_open);
 }
 
 // If the folder has no match, Enter opens the first recent file or built-in scene listed below.
 TEST_F(PanelsTest, TheOpenDialogOpensWhatItListsOfThatName) {
-  rig.content().state().recent = {"/gone/boxes-of-mine.glb"};
+  rig.state().recent = {"/gone/boxes-of-mine.glb"};
   const auto opened = [&](const char* typed, const std::string& source) {
     rig.chord(Key::ctrl, Key::o);
     rig.frame();
     rig.frame();
     rig.type(typed);
     rig.key(Key::enter);
-    return rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; });
+    return rig.frames_until([&] { return rig.scene()->geometry->source == source; });
   };
   EXPECT_TRUE(opened("offic", "builtin:office"));
   EXPECT_TRUE(opened("boxes-", "/gone/boxes-of-mine.glb"));
@@ -261,15 +258,14 @@ TEST_F(PanelsTest, TheOpenDialogIsUsedByKeyboard) {
   std::filesystem::create_directories(folder.path() / "deep");
   folder.write("deep/third.glb", "");
   const auto open = [&] {
-    rig.content().state().browser.folder = folder.path();
+    rig.state().browser.folder = folder.path();
     rig.chord(Key::ctrl, Key::o);
     for (int i = 0; i < 3; ++i) rig.frame();
   };
   const auto opened = [&](const std::string& name) {
     for (int i = 0; i < 3; ++i) rig.frame();
-    EXPECT_FALSE(rig.content().state().show_open);
-    return rig.frames_until(
-        [&] { return rig.previewer().scene()->geometry->source == folder.file(name); });
+    EXPECT_FALSE(rig.state().show_open);
+    return rig.frames_until([&] { return rig.scene()->geometry->source == folder.file(name); });
   };
   open();
   rig.key(Key::down);
@@ -279,18 +275,17 @@ TEST_F(PanelsTest, TheOpenDialogIsUsedByKeyboard) {
   open();
   rig.type("DE");
   rig.key(Key::tab);
-  EXPECT_EQ(rig.content().state().browser.typed, "deep/");
+  EXPECT_EQ(rig.state().browser.typed, "deep/");
   rig.key(Key::enter);
   rig.frame();
-  EXPECT_EQ(rig.content().state().browser.folder, folder.path() / "deep");
-  EXPECT_EQ(rig.content().state().browser.typed, "");
+  EXPECT_EQ(rig.state().browser.folder, folder.path() / "deep");
+  EXPECT_EQ(rig.state().browser.typed, "");
   rig.frame();
   rig.type("thi");
   rig.key(Key::enter);
   EXPECT_TRUE(opened("deep/third.glb"));
   open();
-  rig.click("Folder/deep");
-  rig.frame();
+  rig.click_each({"Folder/deep"});
   rig.click("Open");
   EXPECT_TRUE(opened("deep/third.glb"));
 }
@@ -299,14 +294,13 @@ TEST_F(PanelsTest, PagesThroughTheModelsOfTheFolder) {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.glb", "b.glb", "c.glb"}) folder.write(name, "");
   const auto opened = [&](const char* name) {
-    return rig.frames_until(
-        [&] { return rig.previewer().scene()->geometry->source == folder.file(name); });
+    return rig.frames_until([&] { return rig.scene()->geometry->source == folder.file(name); });
   };
-  rig.previewer().scene().open(folder.file("a.glb"));
+  rig.scene().open(folder.file("a.glb"));
   ASSERT_TRUE(opened("a.glb"));
   rig.key(Key::page_down);
   EXPECT_TRUE(opened("b.glb"));
-  EXPECT_EQ(rig.content().state().message, "2 of 3: b.glb");
+  EXPECT_EQ(rig.state().message, "2 of 3: b.glb");
   rig.key(Key::page_up);
   EXPECT_TRUE(opened("a.glb"));
   rig.key(Key::page_up);
@@ -317,14 +311,13 @@ TEST_F(PanelsTest, PagesThroughTheModelsOfTheFolder) {
 TEST_F(PanelsTest, PagesStepOverABrokenFile) {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.glb", "broken.glb", "c.glb"}) folder.write(name, "");
-  rig.previewer().scene().open(folder.file("a.glb"));
+  rig.scene().open(folder.file("a.glb"));
   const auto opened = [&](const char* name) {
-    return rig.frames_until(
-        [&] { return rig.previewer().scene()->geometry->source == folder.file(name); });
+    return rig.frames_until([&] { return rig.scene()->geometry->source == folder.file(name); });
   };
   ASSERT_TRUE(opened("a.glb"));
   rig.key(Key::page_down);
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
   EXPECT_TRUE(opened("a.glb")) << "nothing that was open is lost";
   rig.key(Key::page_down);
   EXPECT_TRUE(opened("c.glb"));
@@ -335,15 +328,14 @@ TEST_F(PanelsTest, AnotherFileEndsComparisonsAndKeepsSnapshots) {
   const test::TemporaryFolder folder;
   for (const char* name : {"a.glb", "b.glb"}) folder.write(name, "");
   const auto open = [&](const char* name) {
-    rig.previewer().scene().open(folder.file(name));
-    return rig.frames_until(
-        [&] { return rig.previewer().scene()->geometry->source == folder.file(name); });
+    rig.scene().open(folder.file(name));
+    return rig.frames_until([&] { return rig.scene()->geometry->source == folder.file(name); });
   };
   ASSERT_TRUE(open("a.glb"));
   rig.frame();
   rig.key(Key::s);
   rig.key(Key::x);
-  Frames& frames = rig.content().state().frames;
+  Frames& frames = rig.state().frames;
   ASSERT_EQ(frames.stored.size(), 1u);
   EXPECT_TRUE(frames.flipped);
   EXPECT_EQ(frames.title(frames.stored[0]), frames.stored[0].name);
@@ -363,17 +355,17 @@ TEST_F(PanelsTest, ThePanelIsUsedByKeyboard) {
   rig.key(Key::down);
   rig.frame();
   ASSERT_TRUE(ImGui::GetIO().NavVisible);
-  const bool before = rig.previewer().refinement().paused();
+  const bool before = rig.refinement().paused();
   rig.key(Key::space);
-  EXPECT_EQ(rig.previewer().refinement().paused(), before) << "it is the panel's key now";
+  EXPECT_EQ(rig.refinement().paused(), before) << "it is the panel's key now";
   rig.key(Key::escape);
-  if (rig.content().state().show_open) rig.key(Key::escape);
+  if (rig.state().show_open) rig.key(Key::escape);
   rig.key(Key::f6);
   rig.frame();
   rig.key(Key::f6);
   rig.frame();
   rig.frame();
-  EXPECT_FALSE(rig.content().state().leaving.quit);
+  EXPECT_FALSE(rig.state().leaving.quit);
 }
 
 // The keyboard's frame is at "Open..." first. Enter presses the selected control; on a slider it
@@ -387,29 +379,26 @@ TEST_F(PanelsTest, EnterPressesWhatTheKeyboardStandsOn) {
   ASSERT_TRUE(ImGui::GetIO().NavVisible);
   rig.key(Key::enter);
   rig.frame();
-  EXPECT_TRUE(rig.content().state().show_open);
+  EXPECT_TRUE(rig.state().show_open);
 }
 
 TEST_F(PanelsTest, TheOpenDialogOffersTheBuiltInScenes) {
-  rig.click("Open...");
-  rig.frame();
+  rig.click_each({"Open..."});
   rig.frame();
   rig.type("boxes");  // the list is long, and filtered, too
   rig.click("Built-in/boxes");
-  ASSERT_TRUE(rig.frames_until(
-      [&] { return rig.previewer().scene()->geometry->source == "builtin:boxes"; }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene()->geometry->source == "builtin:boxes"; }));
 }
 
 TEST_F(PanelsTest, TheOpenDialogCanBeCancelled) {
   for (const bool by_key : {true, false}) {
-    rig.click("Open...");
-    rig.frame();
-    ASSERT_TRUE(rig.content().controls().all().contains("Cancel"));
+    rig.click_each({"Open..."});
+    ASSERT_TRUE(rig.controls().contains("Cancel"));
     by_key ? rig.key(Key::escape) : rig.click("Cancel");
-    EXPECT_FALSE(rig.content().state().show_open);
-    EXPECT_FALSE(rig.content().state().leaving.quit);
+    EXPECT_FALSE(rig.state().show_open);
+    EXPECT_FALSE(rig.state().leaving.quit);
   }
-  EXPECT_EQ(rig.previewer().scene()->geometry->source, "scene");
+  EXPECT_EQ(rig.scene()->geometry->source, "scene");
 }
 
 TEST_F(PanelsTest, LettersTypedIntoTheDialogAreNoShortcuts) {
@@ -418,7 +407,7 @@ TEST_F(PanelsTest, LettersTypedIntoTheDialogAreNoShortcuts) {
   rig.key(Key::m);
   rig.key(Key::tab);
   EXPECT_FALSE(display().show_split_map);
-  EXPECT_TRUE(rig.content().state().show_panel);
+  EXPECT_TRUE(rig.state().show_panel);
 }
 
 TEST_F(PanelsTest, ThePanelCanBeHidden) {

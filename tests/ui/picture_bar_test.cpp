@@ -19,15 +19,13 @@ class PictureBarTest : public test::PanelsTest {
  protected:
   explicit PictureBarTest(glm::ivec2 size = {1300, 700}, int pixel_size = 3)
       : PanelsTest(pixel_size, size) {
-    rig.content().state().tab = PanelTab::antialias;
-    rig.content().state().look.show_bar = true;
+    rig.state().tab = PanelTab::antialias;
+    rig.state().look.show_bar = true;
     EXPECT_TRUE(rig.settle());
     for (int i = 0; i < 3; ++i) rig.frame();
   }
   [[nodiscard]] DisplayTransform usual() { return display().transform(); }
-  [[nodiscard]] const std::map<std::string, Controls::Placed>& all() {
-    return rig.content().controls().all();
-  }
+  [[nodiscard]] const std::map<std::string, Controls::Placed>& all() { return rig.controls(); }
 };
 
 TEST_F(PictureBarTest, ChoosesWhatThePictureShows) {
@@ -38,7 +36,7 @@ TEST_F(PictureBarTest, ChoosesWhatThePictureShows) {
   EXPECT_EQ(display().split_colours, SplitMapColours::cause);
   rig.click("Layer/Time");
   EXPECT_EQ(display().split_colours, SplitMapColours::time);
-  Frames& frames = rig.content().state().frames;
+  Frames& frames = rig.state().frames;
   rig.click("Layer/Difference");
   EXPECT_EQ(frames.comparison, Comparison::none) << "there is no snapshot";
   rig.click("Snapshot");
@@ -53,7 +51,7 @@ TEST_F(PictureBarTest, ChoosesWhatThePictureShows) {
 // The keys [ and ] and the surface keys show layers in place of the picture. The bar once marked
 // "Picture" meanwhile.
 TEST_F(PictureBarTest, MarksTheLayerThatIsShown) {
-  const UiState& state = rig.content().state();
+  const UiState& state = rig.state();
   const auto marked = [&] { return all().at("Layers in bar").words; };
   EXPECT_EQ(marked(), "View");
   EXPECT_EQ(all().at("Layer/Picture").words, "chosen");
@@ -70,30 +68,24 @@ TEST_F(PictureBarTest, MarksTheLayerThatIsShown) {
   rig.click("Layer/Level");
   EXPECT_FALSE(state.shows_layer());
   EXPECT_TRUE(display().show_split_map);
-  rig.click("Layers in bar");
-  rig.frame();
-  rig.click("Layers in bar/Depth");
-  rig.frame();
+  rig.click_each({"Layers in bar", "Layers in bar/Depth"});
   EXPECT_EQ(display().layer, Layer::depth);
   EXPECT_EQ(marked(), "Depth");
   EXPECT_EQ(all().at("Layer/Level").words, "");
-  rig.click("Layers in bar");
-  rig.frame();
-  rig.click("Layers in bar/None");
-  rig.frame();
+  rig.click_each({"Layers in bar", "Layers in bar/None"});
   EXPECT_EQ(marked(), "View");
   EXPECT_EQ(all().at("Layer/Level").words, "chosen");
 }
 
 // A layer hides the split map and snapshots, so their keys end it.
 TEST_F(PictureBarTest, KeysOfThePictureEndALayer) {
-  const UiState& state = rig.content().state();
+  const UiState& state = rig.state();
   rig.key(Key::s);
   for (const Key key : {Key::m, Key::c, Key::x, Key::one}) {
     display().layer = Layer::depth;
     display().show_split_map = true;
-    rig.content().state().frames.comparison = Comparison::flip;
-    rig.content().state().frames.flipped = false;
+    rig.state().frames.comparison = Comparison::flip;
+    rig.state().frames.flipped = false;
     rig.key(key);
     rig.frame();
     EXPECT_FALSE(state.shows_layer());
@@ -108,9 +100,7 @@ TEST_F(PictureBarTest, WithoutAReferenceTheErrorLayerIsTheDimmedPicture) {
   rig.set_pixel_size(1);
   display().show_axes = false;
   settings().asos.eps = 1e-6;  // so that the picture is not finished soon
-  rig.previewer().scene().open("grating");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  ASSERT_TRUE(rig.opens("grating"));
   rig.click("Layer/Level");
   rig.click("Layer/Error");
   rig.move_to({-10.0f, -10.0f});
@@ -137,11 +127,9 @@ TEST_F(PictureBarTest, WithoutAReferenceTheErrorLayerIsTheDimmedPicture) {
 // A click on Error samples the reference. The layer has a scale in display steps, and stays and is
 // updated while EPS changes.
 TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
-  rig.previewer().scene().open("grating");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  ASSERT_TRUE(rig.opens("grating"));
   rig.click("Layer/Error");
-  const Frames& frames = rig.content().state().frames;
+  const Frames& frames = rig.state().frames;
   EXPECT_EQ(frames.comparison, Comparison::error);
   EXPECT_TRUE(all().at("Layer/Error").has_tooltip);
   rig.frame();
@@ -152,12 +140,12 @@ TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
   })) << all().at("Error reference").words;
   rig.frame();
   EXPECT_NE(all().at("Error summary").words.find("above 1 step"), std::string::npos);
-  EXPECT_FALSE(rig.content().state().check.check) << "the panel's own check stays off";
+  EXPECT_FALSE(rig.state().check.check) << "the panel's own check stays off";
   settings().asos.eps = 0.3;
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_EQ(all().at("Error reference").words, "Reference: 256 samples per pixel")
       << "the reference belongs to the view, not to an EPS";
-  rig.previewer().viewpoint().camera().orbit(0.1, 0.0);
+  rig.camera().orbit(0.1, 0.0);
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_NE(all().at("Error reference").words, "Reference: 256 samples per pixel");
   rig.key(Key::m);
@@ -172,7 +160,7 @@ TEST_F(PictureBarTest, TheErrorLayerSamplesItsReference) {
 TEST_F(PictureBarTest, FinishedSettingsAreShownAtOnce) {
   ASSERT_TRUE(rig.settle());
   for (int i = 0; i < 4; ++i) rig.frame();
-  const PreviewRender& render = rig.previewer().render();
+  const PreviewRender& render = rig.render();
   const Film first = render.film();
   const std::uint64_t rays = render.statistics().eye_rays;
   const AsosSettings before = settings().asos;
@@ -196,7 +184,7 @@ TEST_F(PictureBarTest, FinishedSettingsAreShownAtOnce) {
   settings().asos = before;
   rig.frame();
   EXPECT_TRUE(render.progress().finished);
-  rig.previewer().render().start_again();
+  rig.render().start_again();
   rig.frame();
   EXPECT_TRUE(rig.settle());
   EXPECT_EQ(render.film().radiance, first.radiance);
@@ -206,14 +194,14 @@ TEST_F(PictureBarTest, FinishedSettingsAreShownAtOnce) {
 TEST_F(PictureBarTest, ZoomedPixelsShowTheirNumbers) {
   rig.set_pixel_size(1);
   ASSERT_TRUE(rig.settle());
-  PictureView& view = rig.content().state().view;
+  PictureView& view = rig.state().view;
   view.zoom_at({0.0f, 0.0f}, 1);
   rig.frame();
   EXPECT_FALSE(all().contains("Pixel numbers"));
   while (view.zoom() < 24) view.zoom_at({0.0f, 0.0f}, 1);
   rig.frame();
   ASSERT_TRUE(all().contains("Pixel numbers"));
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   const glm::ivec2 first(-view.offset() / view.scale());
   const glm::u8vec3 c = display_bytes(film, film.index(first.x, first.y), display().transform());
   EXPECT_EQ(all().at("Pixel numbers").words, fmt::format("{}\n{}\n{}", c.x, c.y, c.z));
@@ -272,9 +260,9 @@ TEST_F(PictureBarTest, SlidersAndMethodSetTheRender) {
   slide("Exposure in bar", 0.5f, 0.8f);
   EXPECT_GT(display().exposure_ev, 1.0f);
   rig.click("+");
-  EXPECT_EQ(rig.content().state().view.zoom(), 2);
+  EXPECT_EQ(rig.state().view.zoom(), 2);
   rig.click("Zoom");
-  EXPECT_EQ(rig.content().state().view.zoom(), 1);
+  EXPECT_EQ(rig.state().view.zoom(), 1);
   settings().method = Method::sobol;
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_FALSE(all().contains("EPS in bar")) << "Sobol has none";
@@ -283,12 +271,9 @@ TEST_F(PictureBarTest, SlidersAndMethodSetTheRender) {
 // For every position of a dragged slider, the map is in the frame that processes the event, which
 // is due within 100 ms: while renders start, pause and wait for their first picture.
 TEST_F(PictureBarTest, TheMapFollowsEveryStepOfADragAtOnce) {
-  rig.previewer().scene().open("grating");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
-  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.opens("grating") && rig.settle());
   rig.click("Layer/Level");
-  const PreviewRender& render = rig.previewer().render();
+  const PreviewRender& render = rig.render();
   for (const char* name : {"EPS in bar", "MAX in bar"}) {
     const Controls::Placed at = rig.control(name);
     const auto place = [&](float share) {
@@ -304,7 +289,7 @@ TEST_F(PictureBarTest, TheMapFollowsEveryStepOfADragAtOnce) {
       schedule.end_frame(1.0, rig.content().seconds_to_redraw());
       schedule.note_input();
       EXPECT_LE(schedule.due(), 1.0 + 1.0 / 60.0 + 1e-9) << "the next frame";
-      rig.content().input().add(MouseMoved{place(share)});
+      rig.input().add(MouseMoved{place(share)});
       rig.frame();
       EXPECT_GT(render.map_revision(), before) << name << " at " << share;
     }
@@ -338,8 +323,8 @@ TEST_F(SeenPictureBarTest, TheBarOfASliderLiesBelowItsValue) {
 
 TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   ASSERT_TRUE(rig.settle());
-  const UiState& state = rig.content().state();
-  const PreviewRender& render = rig.previewer().render();
+  const UiState& state = rig.state();
+  const PreviewRender& render = rig.render();
   EXPECT_EQ(render.finished_before(), nullptr);
   rig.key(Key::v);
   EXPECT_FALSE(state.show_before);
@@ -365,7 +350,7 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   EXPECT_EQ(state.message,
             fmt::format("Before: EPS {}, MAX {}", eps_text(first.asos.eps), first.asos.max_level))
       << "as the slider says it";
-  rig.content().state().message.clear();
+  rig.state().message.clear();
   rig.frame();
   EXPECT_NE(rig.pixels(), now);
   EXPECT_EQ(render.restarts(), restarts) << "nothing is rendered again";
@@ -373,7 +358,7 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
   EXPECT_FALSE(state.show_before);
   // Another view has no previous picture.
   rig.key(Key::v);
-  rig.previewer().viewpoint().camera().orbit(0.1, 0.0);
+  rig.camera().orbit(0.1, 0.0);
   ASSERT_TRUE(rig.settle());
   EXPECT_EQ(render.finished_before(), nullptr);
   EXPECT_FALSE(state.show_before);
@@ -382,7 +367,7 @@ TEST_F(SeenPictureBarTest, OneKeyShowsThePictureOfTheEpsBefore) {
 // A method's name alone says little.
 // MAX once had no visible sense: most pictures look the same at 3 and at 4.
 TEST_F(PictureBarTest, TheSliderOfMaxTellsWhatItChanges) {
-  PreviewRender& render = rig.previewer().render();
+  PreviewRender& render = rig.render();
   settings().asos.leaf = LeafKind::point;
   settings().asos.max_level = 0;
   ASSERT_TRUE(restarted());
@@ -417,7 +402,7 @@ TEST_F(PictureBarTest, TheSliderOfMaxTellsWhatItChanges) {
       << rig.content().controls().told().text;
   rig.move_to({20.0f, 20.0f});
   for (int i = 0; i < 4; ++i) rig.frame();
-  EXPECT_TRUE(rig.content().state().max_turn.words.empty());
+  EXPECT_TRUE(rig.state().max_turn.words.empty());
   rig.move_to(all().at("MAX in bar").centre());
   rig.press(MouseButton::left);  // which sets another MAX
   const Controls& controls = rig.content().controls();
@@ -428,8 +413,7 @@ TEST_F(PictureBarTest, TheSliderOfMaxTellsWhatItChanges) {
 }
 
 TEST_F(PictureBarTest, ListsTheMethodsWithALineEach) {
-  rig.click("Method in bar");
-  rig.frame();
+  rig.click_each({"Method in bar"});
   rig.frame();
   ASSERT_TRUE(all().contains("Method in bar line/Sobol"));
   EXPECT_EQ(all().at("Method in bar line/Sobol").words,
@@ -437,8 +421,7 @@ TEST_F(PictureBarTest, ListsTheMethodsWithALineEach) {
   const Controls::Placed entry = rig.control("Method in bar/Sobol");
   const Controls::Placed line = rig.control("Method in bar line/Sobol");
   EXPECT_NEAR(line.centre().y, entry.centre().y, 2.0f) << "on the same line";
-  rig.click("Method in bar/Sobol");
-  rig.frame();
+  rig.click_each({"Method in bar/Sobol"});
   EXPECT_EQ(settings().method, Method::sobol);
 }
 

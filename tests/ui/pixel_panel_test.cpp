@@ -19,7 +19,7 @@ class PixelPanelTest : public PanelsTest {
   PixelPanelTest() : PanelsTest(1) {}
   /// A pixel that only the left edge of the red triangle crosses.
   [[nodiscard]] glm::ivec2 cut_pixel() {
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     // A little above the centre of a picture that shows 2.8 units vertically: there the edge is
     // well inside, and the grey triangle has not started.
     const int y = film.height / 2 - film.height / 28;
@@ -34,17 +34,16 @@ class PixelPanelTest : public PanelsTest {
   /// With Ctrl, so that the first click inspects.
   void click(glm::ivec2 pixel) {
     rig.move_to(glm::vec2(pixel) + 0.5f);
-    rig.content().input().add(KeyChanged{Key::ctrl, true});
+    rig.input().add(KeyChanged{Key::ctrl, true});
     rig.press(MouseButton::left);
     rig.release(MouseButton::left);
-    rig.content().input().add(KeyChanged{Key::ctrl, false});
+    rig.input().add(KeyChanged{Key::ctrl, false});
     rig.frame();
   }
   void pick(glm::ivec2 pixel) {
     click(pixel);
-    ASSERT_EQ(rig.content().state().picked, pixel);
-    ASSERT_TRUE(
-        rig.frames_until([&] { return rig.content().controls().all().contains("Subdivision"); }));
+    ASSERT_EQ(rig.state().picked, pixel);
+    ASSERT_TRUE(rig.frames_until([&] { return rig.controls().contains("Subdivision"); }));
     rig.move_to({-10.0f, -10.0f});
     for (int i = 0; i < 5; ++i) rig.frame();
   }
@@ -55,7 +54,7 @@ class PixelPanelTest : public PanelsTest {
 
 TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
   const glm::ivec2 pixel = cut_pixel();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   const glm::vec3 mean = film.radiance[film.index(pixel.x, pixel.y)];
   const glm::vec3 sky = film.radiance[film.index(pixel.x - 5, pixel.y)];
   const float covered = (mean.x - sky.x) / (1.0f - sky.x);
@@ -76,7 +75,7 @@ TEST_F(PixelPanelTest, TheSquareShowsWhatThePixelConsistsOf) {
   const float area = (square.hi.x - square.lo.x) * (square.hi.y - square.lo.y);
   EXPECT_GT(static_cast<float>(reds + backgrounds), 0.85f * area);
   EXPECT_NEAR(static_cast<float>(reds) / static_cast<float>(reds + backgrounds), covered, 0.04f);
-  EXPECT_TRUE(rig.content().controls().all().contains("Verdict"));
+  EXPECT_TRUE(rig.controls().contains("Verdict"));
   EXPECT_FALSE(restarted()) << "looking at a pixel renders nothing again";
 }
 
@@ -100,9 +99,7 @@ TEST_F(PixelPanelTest, TheSquareHasTheExactSidesOfItsParts) {
 
 // Once weight and visibility had changed their places.
 TEST(PixelReport, ShadowsSayHowMuchOfTheLightIsVisible) {
-  TracedPyray pyray;
-  pyray.kind = TracedPyray::Kind::shadow;
-  pyray.weight = 0.25;
+  TracedPyray pyray{.kind = TracedPyray::Kind::shadow, .weight = 0.25};
   pyray.cells.resize(1);
   pyray.result = glm::vec3(0.5f);
   EXPECT_EQ(shadow_words("lamp", pyray), "lamp: 50 % visible (25 % of pixel, 1 cell)");
@@ -139,7 +136,7 @@ TEST(SeenParts, ARingLeavesItsHoleOut) {
 // Map, status line and view agree on one level and one cause.
 TEST_F(PixelPanelTest, SaysWhatTheMapShows) {
   const glm::ivec2 pixel = cut_pixel();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   const std::size_t i = film.index(pixel.x, pixel.y);
   EXPECT_EQ(film.split_level[i], 0) << "one edge cuts it";
   pick(pixel);
@@ -150,8 +147,7 @@ TEST_F(PixelPanelTest, SaysWhatTheMapShows) {
 
 TEST(PixelReport, ItsReasonsAgreeWithTheCause) {
   PixelReport report;
-  TracedCell cell;
-  cell.fate = CellFate::sampled;
+  TracedCell cell{.fate = CellFate::sampled};
   report.trace.cells = {cell};
   report.trace.level = 3;
   report.trace.cause = SplitCause::shadow;
@@ -190,18 +186,18 @@ TEST_F(PixelPanelTest, ItClosesByKeyAndByButton) {
   const glm::ivec2 pixel = cut_pixel();
   pick(pixel);
   rig.key(Key::escape);
-  EXPECT_FALSE(rig.content().state().picked.has_value());
-  EXPECT_FALSE(rig.content().state().leaving.quit);
+  EXPECT_FALSE(rig.state().picked.has_value());
+  EXPECT_FALSE(rig.state().leaving.quit);
   pick(pixel);
   rig.click("Close inspector");
-  EXPECT_FALSE(rig.content().state().picked.has_value());
+  EXPECT_FALSE(rig.state().picked.has_value());
   rig.frame();
-  EXPECT_FALSE(rig.content().controls().all().contains("Subdivision"));
+  EXPECT_FALSE(rig.controls().contains("Subdivision"));
 }
 
 TEST_F(PixelPanelTest, ADragPicksNothing) {
   rig.drag({200, 200}, {240, 220});
-  EXPECT_FALSE(rig.content().state().picked.has_value());
+  EXPECT_FALSE(rig.state().picked.has_value());
 }
 
 TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {
@@ -226,24 +222,22 @@ TEST_F(PixelPanelTest, BoundariesAreDrawnIntoThePicture) {
 
 TEST_F(PixelPanelTest, PyraysOfAMirrorAreSteppedInto) {
   settings().mirror.bounces = 2;
-  rig.previewer().scene().open("mirrors");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "mirrors"; }));
-  rig.previewer().refinement().set_paused(true);
+  ASSERT_TRUE(rig.opens("mirrors"));
+  rig.refinement().set_paused(true);
   rig.frame();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   pick({film.width / 2, film.height / 2});
-  ASSERT_TRUE(rig.frames_until([&] { return rig.content().controls().all().contains("Pyray/1"); }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.controls().contains("Pyray/1"); }));
   rig.click("Pyray/1");
-  EXPECT_EQ(rig.content().state().picked_pyray, 0);
+  EXPECT_EQ(rig.state().picked_pyray, 0);
   rig.frame();
   rig.click("Back");
-  EXPECT_EQ(rig.content().state().picked_pyray, -1);
+  EXPECT_EQ(rig.state().picked_pyray, -1);
   rig.click("Pyray/1");
   rig.key(Key::escape);
-  EXPECT_FALSE(rig.content().state().picked.has_value());
+  EXPECT_FALSE(rig.state().picked.has_value());
   click({film.width / 2, film.height / 2});
-  EXPECT_EQ(rig.content().state().picked_pyray, -1) << "another pick begins with the pixel";
+  EXPECT_EQ(rig.state().picked_pyray, -1) << "another pick begins with the pixel";
 }
 
 TEST_F(PixelPanelTest, TheTraceFollowsTheView) {
@@ -260,7 +254,7 @@ TEST_F(PixelPanelTest, TheTraceFollowsTheView) {
     return inspector.report() != nullptr && !inspector.busy();
   }));
   const PixelReport& report = *inspector.report();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   EXPECT_EQ(report.trace.radiance, film.radiance[film.index(pixel.x, pixel.y)])
       << "bit for bit what the picture shows";
   double weights = 0.0;

@@ -32,18 +32,14 @@ class Loader {
       }
       if (source == "lines") {
         Scene scene = two_triangles({1, 0, 0}, source);
-        Mesh line;
-        line.positions = {{-1, 0, 0.5f}, {1, 0.1f, 0.5f}};
-        line.segments = {{0, 1}};
+        Mesh line{.positions = {{-1, 0, 0.5f}, {1, 0.1f, 0.5f}}, .segments = {{0, 1}}};
         scene.instances.push_back({"line", static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
         scene.meshes.push_back(std::move(line));
         return scene;
       }
       if (source == "wide") {
         Scene scene = two_triangles({1, 0, 0}, source);
-        Camera camera;
-        camera.fov_y_rad = 0.5;
-        camera.aspect_ratio = 3.0;
+        Camera camera{.fov_y_rad = 0.5, .aspect_ratio = 3.0};
         camera.world_from_camera[3] = {0, 0, 5, 1};
         scene.cameras = {camera};
         return scene;
@@ -63,10 +59,7 @@ class Loader {
 };
 
 inline RenderSettings small_picture() {
-  RenderSettings settings;
-  settings.threads = 1;
-  settings.asos.max_level = 2;
-  return settings;
+  return {.asos = {.max_level = 2}, .threads = 1};
 }
 
 /// Scenes have neither ground nor sky, unless a test enables their default look.
@@ -84,6 +77,12 @@ class PreviewerTest : public testing::Test {
   bool opened(const std::string& source) {
     return update_until(
         [&] { return previewer.scene() && previewer.scene()->geometry->source == source; });
+  }
+  /// Opens a scene, in a picture of this size if one is given, and waits until it is shown.
+  bool opens(const std::string& source, glm::ivec2 size = glm::ivec2(0)) {
+    if (size.x > 0) previewer.viewpoint().set_picture_size(size.x, size.y, now);
+    previewer.scene().open(source);
+    return opened(source);
   }
   bool finished() {
     return update_until([&] {

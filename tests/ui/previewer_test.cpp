@@ -13,9 +13,7 @@ using namespace ui;
 namespace {
 
 TEST_F(PreviewerTest, RendersTheSceneThatItOpens) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {48, 32}));
   ASSERT_TRUE(finished());
   previewer.update(now);
   ASSERT_EQ(previewer.render().film().width, 48);
@@ -31,8 +29,7 @@ TEST_F(PreviewerTest, WhatMovesByItselfIsShownForAMomentOrASampleAPixel) {
   const PreviewRender& render = previewer.render();
   previewer.viewpoint().set_picture_size(1200, 900, now);
   previewer.edits().settings().method = Method::uniform;
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red"));
   bool waited = false;
   for (const double start = now; !waited || !render.shown_for(1.0, start);) {
     previewer.update(start);
@@ -50,9 +47,7 @@ TEST_F(PreviewerTest, WhatMovesByItselfIsShownForAMomentOrASampleAPixel) {
 }
 
 TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("lines");
-  ASSERT_TRUE(opened("lines"));
+  ASSERT_TRUE(opens("lines", {48, 32}));
   const auto positions = [&] { return previewer.scene()->world().positions; };
   ASSERT_TRUE(update_until([&] { return previewer.scene()->world().lines_and_points.drawn(); }));
   ASSERT_TRUE(finished());
@@ -91,9 +86,7 @@ TEST_F(PreviewerTest, LinesFollowTheCameraOnceItRests) {
 
 // If lights and lines change at once, both changes arrive.
 TEST_F(PreviewerTest, LinesAndLightsChangeTogether) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("lines");
-  ASSERT_TRUE(opened("lines"));
+  ASSERT_TRUE(opens("lines", {48, 32}));
   for (int i = 0; i < 20; ++i) {
     std::optional<Dfr>& dfr = previewer.edits().edit_dfrs()[0];
     dfr = Dfr{};
@@ -115,47 +108,39 @@ TEST_F(PreviewerTest, ScenesWithoutLightsOpenOnTheGroundInAStudio) {
   previewer.edits().keep_first({});
   previewer.viewpoint().set_picture_size(48, 32, now);
   const auto sky = [&] { return previewer.edits().settings().sky.get(); };
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red"));
   ASSERT_TRUE(sky());
   EXPECT_EQ(sky()->choice().environment, Environment::softboxes);
   const auto settings = [&]() -> RenderSettings& { return previewer.edits().settings(); };
   EXPECT_EQ(settings().ground, Ground::on);
   EXPECT_EQ(settings().background.kind, BackgroundKind::colours);
-  previewer.scene().open("many");
-  ASSERT_TRUE(opened("many"));
+  ASSERT_TRUE(opens("many"));
   EXPECT_EQ(sky(), nullptr) << "it has lights";
   EXPECT_EQ(settings().ground, Ground::off);
   EXPECT_EQ(settings().background, Background{});
   // A sky that was chosen stays until everything is reset.
   previewer.edits().set_sky(std::make_shared<const Sky>(Environment::dusk));
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red"));
   EXPECT_EQ(sky()->choice().environment, Environment::dusk);
   EXPECT_EQ(settings().background, Background{}) << "that of the sky";
   previewer.edits().reset();
-  previewer.scene().open("green");
-  ASSERT_TRUE(opened("green"));
+  ASSERT_TRUE(opens("green"));
   EXPECT_EQ(sky()->choice().environment, Environment::softboxes);
   EXPECT_EQ(settings().background.kind, BackgroundKind::colours);
   // A part that was chosen separately stays, too.
   settings().ground = Ground::off;
   settings().background.kind = BackgroundKind::blurred;
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red"));
   EXPECT_EQ(settings().ground, Ground::off);
   EXPECT_EQ(settings().background.kind, BackgroundKind::blurred);
   previewer.edits().set_sky(nullptr);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red"));
   EXPECT_EQ(sky(), nullptr) << "neutral grey was chosen";
 }
 
 // The ground stays for any other edit, and is not part of the reported scene.
 TEST_F(PreviewerTest, PutsTheSceneOnTheGroundThatIsAskedFor) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("lines");
-  ASSERT_TRUE(opened("lines"));
+  ASSERT_TRUE(opens("lines", {48, 32}));
   ASSERT_TRUE(finished());
   previewer.viewpoint().frame_all();
   const Camera before = previewer.viewpoint().camera().camera();
@@ -186,9 +171,7 @@ TEST_F(PreviewerTest, PutsTheSceneOnTheGroundThatIsAskedFor) {
 }
 
 TEST_F(PreviewerTest, UsesTheFilesCameraAndOrbitsWhatItLooksAt) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {48, 32}));
   EXPECT_EQ(previewer.viewpoint().chosen_camera(), 0);
   EXPECT_NEAR(previewer.viewpoint().camera().distance(), 3.0, 1e-6);
   EXPECT_NEAR(
@@ -197,9 +180,7 @@ TEST_F(PreviewerTest, UsesTheFilesCameraAndOrbitsWhatItLooksAt) {
 }
 
 TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {48, 32}));
   ASSERT_TRUE(finished());
   for (int i = 0; i < 10; ++i) previewer.update(now += 1.0);
   EXPECT_EQ(previewer.render().restarts(), 1u);
@@ -224,9 +205,7 @@ TEST_F(PreviewerTest, OnlyWhatTheRenderDependsOnRestartsIt) {
 // A framed scene stays in view while it is orbited, although its nearest surface is far in front of
 // its centre. It fills pictures of other aspect ratios until the camera is moved.
 TEST_F(PreviewerTest, TheViewThatFramesEverythingOrbitsItsMiddle) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {48, 32}));
   previewer.viewpoint().choose_camera(-1);
   OrbitCamera& camera = previewer.viewpoint().camera();
   const Box& bounds = previewer.scene()->world().bounds;
@@ -253,8 +232,7 @@ TEST_F(PreviewerTest, AWideCameraFitsThePictureUntilItIsLeft) {
   const auto half_height = [&] { return std::tan(0.5 * viewpoint.camera().camera().fov_y_rad); };
   const double half_width = 3.0 * std::tan(0.25);
   viewpoint.set_picture_size(48, 32, now);
-  previewer.scene().open("wide");
-  ASSERT_TRUE(opened("wide"));
+  ASSERT_TRUE(opens("wide"));
   EXPECT_NEAR(half_height() * 48 / 32, half_width, 1e-9);
   const Viewpoint::State before = viewpoint.state();
   viewpoint.set_picture_size(32, 48, now += 1.0);
@@ -271,9 +249,7 @@ TEST_F(PreviewerTest, AWideCameraFitsThePictureUntilItIsLeft) {
 }
 
 TEST_F(PreviewerTest, AFramedViewInAnotherShapeIsNoStepToUndo) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {48, 32}));
   previewer.viewpoint().choose_camera(-1);
   const Viewpoint::State before = previewer.viewpoint().state();
   previewer.viewpoint().set_picture_size(32, 48, now += 1.0);
@@ -292,9 +268,7 @@ TEST_F(PreviewerTest, AFramedViewInAnotherShapeIsNoStepToUndo) {
 // A drag changes the camera faster than a coarse picture takes. Without waiting, only the picture's
 // centre would ever be updated.
 TEST_F(PreviewerTest, AFloodOfChangesStillShowsWholePictures) {
-  previewer.viewpoint().set_picture_size(800, 600, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {800, 600}));
   ASSERT_TRUE(finished());
   constexpr int changes = 300;
   int whole = 0;
@@ -313,9 +287,7 @@ TEST_F(PreviewerTest, AFloodOfChangesStillShowsWholePictures) {
 }
 
 TEST_F(PreviewerTest, ASlowFirstPictureHoldsChangesUpForAMomentOnly) {
-  previewer.viewpoint().set_picture_size(2000, 1500, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {2000, 1500}));
   const std::uint64_t before = previewer.render().restarts();
   previewer.viewpoint().camera().orbit(0.01, 0.0);
   previewer.update(now += 1.1);
@@ -323,9 +295,7 @@ TEST_F(PreviewerTest, ASlowFirstPictureHoldsChangesUpForAMomentOnly) {
 }
 
 TEST_F(PreviewerTest, ResizingWaitsUntilTheSizeRests) {
-  previewer.viewpoint().set_picture_size(48, 32, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {48, 32}));
   for (int width = 49; width < 60; ++width) {
     now += 0.02;
     previewer.viewpoint().set_picture_size(width, 32, now);
@@ -342,9 +312,7 @@ TEST_F(PreviewerTest, ResizingWaitsUntilTheSizeRests) {
 }
 
 TEST_F(PreviewerTest, ASizeWithoutAreaChangesNothing) {
-  previewer.viewpoint().set_picture_size(0, 0, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {0, 0}));
   EXPECT_EQ(previewer.render().restarts(), 0u);
   previewer.viewpoint().set_picture_size(48, 32, now);
   previewer.update(now);
@@ -358,9 +326,7 @@ TEST_F(PreviewerTest, ASizeWithoutAreaChangesNothing) {
 }
 
 TEST_F(PreviewerTest, ThePivotMovesToThePointThatThePictureShows) {
-  previewer.viewpoint().set_picture_size(90, 60, now);
-  previewer.scene().open("red");
-  ASSERT_TRUE(opened("red"));
+  ASSERT_TRUE(opens("red", {90, 60}));
   const View view(previewer.viewpoint().camera().camera(), 90, 60);
   const Ray ray = view.ray(50.0, 35.0);
   previewer.viewpoint().set_pivot_at(50.0, 35.0);

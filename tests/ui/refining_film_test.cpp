@@ -10,8 +10,7 @@ namespace {
 
 FinishedTile tile(PixelRect rect, glm::vec3 colour, bool coarse) {
   const auto pixels = static_cast<std::size_t>(rect.width) * static_cast<std::size_t>(rect.height);
-  FinishedTile tile;
-  tile.rect = rect;
+  FinishedTile tile{.rect = rect};
   tile.radiance.assign(pixels, colour);
   tile.split_level.assign(pixels, 0);
   tile.cause.assign(pixels, {});
@@ -20,12 +19,7 @@ FinishedTile tile(PixelRect rect, glm::vec3 colour, bool coarse) {
 }
 
 RenderSettings of_size(int width, int height, double eps = 1.0 / 256.0) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
-  settings.asos.max_level = 4;
-  settings.asos.eps = eps;
-  return settings;
+  return {.width = width, .height = height, .asos = {.max_level = 4, .eps = eps}};
 }
 
 /// The final tile of two pixels: one that is unevenly shaded, with an error of 8 times the default

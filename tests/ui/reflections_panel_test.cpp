@@ -18,42 +18,34 @@ using test::PanelsTest;
 class ReflectionsPanelTest : public PanelsTest {
  protected:
   ReflectionsPanelTest() {
-    rig.previewer().scene().open("mirrors");
-    EXPECT_TRUE(
-        rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "mirrors"; }));
-    rig.previewer().refinement().set_paused(true);  // coarse pictures are enough
+    EXPECT_TRUE(rig.opens("mirrors"));
+    rig.refinement().set_paused(true);  // coarse pictures are enough
     rig.frame();
     (void)begun();
   }
   /// Whether a render was started since the last call.
   bool begun() {
     EXPECT_TRUE(rig.frames_until([&] {
-      return !rig.previewer().seconds_to_update(0.0) &&
-             !rig.previewer().render().first_picture_pending();
+      return !rig.previewer().seconds_to_update(0.0) && !rig.render().first_picture_pending();
     }));
-    return rig.previewer().render().restarts() >
-           std::exchange(restarts_seen_, rig.previewer().render().restarts());
+    return rig.render().restarts() > std::exchange(restarts_seen_, rig.render().restarts());
   }
-  [[nodiscard]] bool shows(const std::string& name) {
-    return rig.content().controls().all().contains(name);
-  }
+  [[nodiscard]] bool shows(const std::string& name) { return rig.controls().contains(name); }
   void rest() {
     for (int i = 0; i < 40; ++i) rig.frame();
   }
   /// Draws frames until the edit is applied to the scene.
   [[nodiscard]] bool reached_scene() {
-    return rig.frames_until([&] { return !rig.previewer().edits().relighting(); });
+    return rig.frames_until([&] { return !rig.edits().relighting(); });
   }
-  [[nodiscard]] const std::optional<Dfr>& dfr(std::size_t i) {
-    return rig.previewer().scene()->dfrs()[i];
-  }
+  [[nodiscard]] const std::optional<Dfr>& dfr(std::size_t i) { return rig.scene()->dfrs()[i]; }
 
  private:
   std::uint64_t restarts_seen_ = 0;
 };
 
 TEST_F(PanelsTest, AMatteSceneHasNoReflectionsPanel) {
-  EXPECT_FALSE(rig.content().controls().all().contains("section/Reflections"));
+  EXPECT_FALSE(rig.controls().contains("section/Reflections"));
 }
 
 TEST_F(ReflectionsPanelTest, BouncesAndCurvedMirrorsRestart) {
@@ -61,8 +53,7 @@ TEST_F(ReflectionsPanelTest, BouncesAndCurvedMirrorsRestart) {
   EXPECT_EQ(settings().mirror.bounces, MirrorSettings::max_bounces);
   EXPECT_TRUE(begun());
   EXPECT_FALSE(shows("Divergence"));
-  rig.click("Curved mirrors");
-  rig.frame();
+  rig.click_each({"Curved mirrors"});
   rig.click("Curved mirrors/adaptive");
   EXPECT_EQ(settings().mirror.curved, CurvedMirror::adaptive);
   EXPECT_TRUE(begun());
@@ -112,8 +103,7 @@ TEST_F(ReflectionsPanelTest, ThePointsOfTheCurveAreDragged) {
 TEST_F(ReflectionsPanelTest, AColourIsEditedAloneAndUndone) {
   rig.click("DFR/Global");
   rest();
-  rig.click("DFR of/Blue");
-  rig.frame();
+  rig.click_each({"DFR of/Blue"});
   const DfrCurve first = settings().mirror.dfr->rgb[0];
   const glm::vec2 at = rig.control("DFRMIN point").centre();
   rig.drag(at, at - glm::vec2(0.0f, 60.0f));
@@ -128,8 +118,7 @@ TEST_F(ReflectionsPanelTest, AColourIsEditedAloneAndUndone) {
 }
 
 TEST_F(ReflectionsPanelTest, ADoubleClickResetsAPointAndNumbersAreTyped) {
-  rig.click("DFR/Global");
-  rig.frame();
+  rig.click_each({"DFR/Global"});
   const DfrCurve first = settings().mirror.dfr->rgb[0];
   const glm::vec2 at = rig.control("DFRMIN point").centre();
   rig.drag(at, at - glm::vec2(0.0f, 60.0f));
@@ -142,9 +131,9 @@ TEST_F(ReflectionsPanelTest, ADoubleClickResetsAPointAndNumbersAreTyped) {
   for (const auto& [typed, expected] :
        {std::pair<std::string, double>{"0.25", 0.25}, {"7", 1.0}, {"-1", 0.0}}) {
     (void)rig.control("DFRMAX");  // scrolls to it
-    rig.content().input().add(KeyChanged{Key::ctrl, true});
+    rig.input().add(KeyChanged{Key::ctrl, true});
     rig.click("DFRMAX");
-    rig.content().input().add(KeyChanged{Key::ctrl, false});
+    rig.input().add(KeyChanged{Key::ctrl, false});
     rig.frame();
     rig.chord(Key::ctrl, Key::a);
     rig.type(typed);
@@ -154,8 +143,8 @@ TEST_F(ReflectionsPanelTest, ADoubleClickResetsAPointAndNumbersAreTyped) {
 }
 
 TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
-  const std::uint64_t opened = rig.previewer().scene().times_opened();
-  const Geometry* geometry = rig.previewer().scene()->geometry.get();
+  const std::uint64_t opened = rig.scene().times_opened();
+  const Geometry* geometry = rig.scene()->geometry.get();
   ASSERT_FALSE(dfr(0).has_value());
   rig.click("Blur curve (DFR) instead of roughness");
   ASSERT_TRUE(reached_scene());
@@ -169,8 +158,8 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
   rig.drag(at, at - glm::vec2(0.0f, 60.0f));
   ASSERT_TRUE(reached_scene());
   EXPECT_GT(dfr(0)->rgb[0].min, before);
-  EXPECT_EQ(rig.previewer().scene().times_opened(), opened);
-  EXPECT_EQ(rig.previewer().scene()->geometry.get(), geometry) << "nothing is rebuilt";
+  EXPECT_EQ(rig.scene().times_opened(), opened);
+  EXPECT_EQ(rig.scene()->geometry.get(), geometry) << "nothing is rebuilt";
   rest();
   rig.chord(Key::ctrl, Key::z);
   ASSERT_TRUE(reached_scene());
@@ -183,28 +172,27 @@ TEST_F(ReflectionsPanelTest, OneMaterialIsEditedWithoutLoadingAgain) {
 TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
   rig.click("Blur curve (DFR) instead of roughness");
   ASSERT_TRUE(reached_scene());
-  const MaterialDfrs edited = rig.previewer().edits().dfrs();
+  const MaterialDfrs edited = rig.edits().dfrs();
   const test::TemporaryFolder folder;
   const std::string file = folder.file("shot.png");
-  PictureDescription said = rig.previewer().render().description({});
+  PictureDescription said = rig.render().description({});
   said.scene = "mirrors";  // which is no path
   ASSERT_TRUE(
       write_png(file, {1, 1, {0, 0, 0}, {{PictureDescription::key, description_text(said)}}}));
   rig.click("Reset/Mirrors");
   ASSERT_TRUE(reached_scene());
-  ASSERT_NE(rig.previewer().edits().dfrs(), edited);
-  const std::uint64_t opened = rig.previewer().scene().times_opened();
-  rig.previewer().scene().open(file);
-  ASSERT_TRUE(rig.frames_until([&] {
-    return rig.previewer().scene().times_opened() > opened || rig.previewer().scene().error();
-  }));
-  ASSERT_FALSE(rig.previewer().scene().error()) << rig.previewer().scene().error()->message();
-  EXPECT_EQ(rig.previewer().edits().dfrs(), edited);
-  EXPECT_EQ(rig.previewer().scene()->dfrs(), edited);
+  ASSERT_NE(rig.edits().dfrs(), edited);
+  const std::uint64_t opened = rig.scene().times_opened();
+  rig.scene().open(file);
+  ASSERT_TRUE(
+      rig.frames_until([&] { return rig.scene().times_opened() > opened || rig.scene().error(); }));
+  ASSERT_FALSE(rig.scene().error()) << rig.scene().error()->message();
+  EXPECT_EQ(rig.edits().dfrs(), edited);
+  EXPECT_EQ(rig.scene()->dfrs(), edited);
   (void)begun();  // a running picture moves the panel's rows under the pointer
   rest();
   rig.click("Reset/Mirrors");
-  EXPECT_NE(rig.previewer().edits().dfrs(), edited);
+  EXPECT_NE(rig.edits().dfrs(), edited);
   ASSERT_TRUE(reached_scene());
   EXPECT_FALSE(dfr(0).has_value()) << "the value of the scene's file";
 }
@@ -212,18 +200,18 @@ TEST_F(ReflectionsPanelTest, ASavedPictureBringsAnEditedMaterialBack) {
 TEST_F(ReflectionsPanelTest, LightsAndMaterialsAreEditedBesideEachOther) {
   Light light;
   light.position = {0, 1, 2};
-  rig.previewer().edits().edit_lights().push_back(EditedLight::of(light));
-  rig.previewer().edits().edit_dfrs()[1] = Dfr{};
+  rig.edits().edit_lights().push_back(EditedLight::of(light));
+  rig.edits().edit_dfrs()[1] = Dfr{};
   ASSERT_TRUE(reached_scene());
-  const std::size_t lights = rig.previewer().edits().lights().size();
-  EXPECT_EQ(rig.previewer().scene()->lights().size(), lights);
+  const std::size_t lights = rig.edits().lights().size();
+  EXPECT_EQ(rig.scene()->lights().size(), lights);
   EXPECT_TRUE(dfr(1).has_value());
-  rig.previewer().edits().edit_dfrs()[1].reset();
+  rig.edits().edit_dfrs()[1].reset();
   ASSERT_TRUE(reached_scene());
-  EXPECT_EQ(rig.previewer().scene()->lights().size(), lights);
+  EXPECT_EQ(rig.scene()->lights().size(), lights);
   EXPECT_FALSE(dfr(1).has_value());
-  rig.previewer().edits().edit_dfrs()[1] = Dfr{{DfrCurve{2.0, 1.0, 1.0}, {}, {}}, 0.0};
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  rig.edits().edit_dfrs()[1] = Dfr{{DfrCurve{2.0, 1.0, 1.0}, {}, {}}, 0.0};
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
   EXPECT_FALSE(dfr(1).has_value()) << "what is out of range is refused";
 }
 
@@ -231,13 +219,13 @@ TEST_F(ReflectionsPanelTest, ThePickedPixelChoosesItsMaterialAndMarksItsAngle) {
   rig.click("Blur curve (DFR) instead of roughness");
   ASSERT_TRUE(reached_scene());
   EXPECT_FALSE(shows("Picked pixel"));
-  const Film& film = rig.previewer().render().film();
-  rig.content().state().picked = glm::ivec2(film.width / 2, film.height / 2);
+  const Film& film = rig.film();
+  rig.state().picked = glm::ivec2(film.width / 2, film.height / 2);
   rig.frame();
   rig.frame();
-  EXPECT_EQ(rig.content().state().reflections.material, 0);
+  EXPECT_EQ(rig.state().reflections.material, 0);
   EXPECT_TRUE(shows("Picked pixel"));
-  EXPECT_FALSE(rig.content().controls().all().at("Picked pixel").edits);
+  EXPECT_FALSE(rig.controls().at("Picked pixel").edits);
 }
 
 TEST_F(ReflectionsPanelTest, TheWideningIsDrawnAndTheCurveFollowsTheRatio) {

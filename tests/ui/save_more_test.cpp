@@ -47,8 +47,7 @@ class Variable {
 class SceneExportTest : public testing::Test {
  protected:
   SceneExportTest() {
-    RenderSettings settings;
-    settings.threads = 1;
+    RenderSettings settings{.threads = 1};
     previewer = std::make_unique<Previewer>(Previewer::Hooks{{}, [] {}}, settings);
     open("builtin:office");
   }
@@ -67,20 +66,14 @@ class SceneExportTest : public testing::Test {
     ASSERT_FALSE(previewer->edits().relighting());
   }
   [[nodiscard]] Film picture() const {
-    RenderSettings settings;
-    settings.width = 64;
-    settings.height = 40;
-    settings.threads = 1;
+    RenderSettings settings{.width = 64, .height = 40, .threads = 1};
     const auto scene = previewer->scene().shared();
     return render_to_end({scene, scene->world().cameras.front(), settings, false}).film;
   }
 
   /// Files without a camera are framed.
   [[nodiscard]] Film picture_by_default() const {
-    RenderSettings settings;
-    settings.width = 64;
-    settings.height = 40;
-    settings.threads = 1;
+    RenderSettings settings{.width = 64, .height = 40, .threads = 1};
     const auto scene = previewer->scene().shared();
     return render_to_end({scene, default_camera(scene->world(), 1.6), settings, false}).film;
   }
@@ -377,7 +370,7 @@ TEST_F(SceneExportTest, SaysWhatCannotBeWritten) {
 
 class SaveMoreTest : public PanelsTest {
  protected:
-  UiState& state() { return rig.content().state(); }
+  UiState& state() { return rig.state(); }
   void install(const std::string& name, const std::string& script) {
     folder.write(name, "#!/bin/sh\n" + script);
     std::filesystem::permissions(folder.file(name), std::filesystem::perms::owner_all);
@@ -400,7 +393,7 @@ TEST_F(SaveMoreTest, ThePictureIsCopiedByXclip) {
   EXPECT_EQ(content_of(folder.file("arguments")), "-selection clipboard -t image/png -i\n");
   const Result<RgbImage> copied = read_png(folder.file("copied.png"));
   ASSERT_TRUE(copied) << copied.error().message();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   ASSERT_EQ(glm::ivec2(copied->width, copied->height), glm::ivec2(film.width, film.height));
   const glm::u8vec3 first = display_bytes(film, 0, usual_display);
   EXPECT_EQ(glm::u8vec3(copied->rgb[0], copied->rgb[1], copied->rgb[2]), first);
@@ -415,9 +408,9 @@ TEST_F(SaveMoreTest, SaysWhyThePictureIsNotCopied) {
 }
 
 TEST_F(SaveMoreTest, TheDialogSavesTheScene) {
-  rig.content().input().add(KeyChanged{Key::shift, true});
+  rig.input().add(KeyChanged{Key::shift, true});
   rig.chord(Key::ctrl, Key::s);
-  rig.content().input().add(KeyChanged{Key::shift, false});
+  rig.input().add(KeyChanged{Key::shift, false});
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_FALSE(state().save.show);
   ASSERT_TRUE(state().save_scene.show);
@@ -434,14 +427,12 @@ TEST_F(SaveMoreTest, TheDialogSavesTheScene) {
 TEST_F(SaveMoreTest, TheSplitMapIsOffForTheNextFile) {
   rig.key(Key::m);
   EXPECT_TRUE(display().show_split_map);
-  rig.previewer().scene().reload();
-  const std::uint64_t opened = rig.previewer().scene().times_opened();
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().times_opened() > opened; }));
+  rig.scene().reload();
+  const std::uint64_t opened = rig.scene().times_opened();
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().times_opened() > opened; }));
   rig.frame();
   EXPECT_TRUE(display().show_split_map) << "it is the same file";
-  rig.previewer().scene().open("grating");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "grating"; }));
+  ASSERT_TRUE(rig.opens("grating"));
   rig.frame();
   EXPECT_FALSE(display().show_split_map);
 }
@@ -452,7 +443,7 @@ TEST_F(SaveMoreTest, ASavedSplitMapHasItsLegend) {
   rig.key(Key::p);
   const Result<RgbImage> saved = read_png(folder.file("scene-001.png"));
   ASSERT_TRUE(saved) << saved.error().message();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   EXPECT_EQ(saved->width, film.width);
   ASSERT_GT(saved->height, film.height + 20);
   const auto below = [&](glm::u8vec3 colour) {

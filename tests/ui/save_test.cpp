@@ -22,10 +22,10 @@ class SaveTest : public test::PanelsTest {
     ASSERT_TRUE(choice().show);
   }
   bool saved(const std::string& name) {
-    return rig.frames_until(
-        [&] { return rig.content().state().message == "Saved " + folder.file(name); }, 20.0);
+    return rig.frames_until([&] { return rig.state().message == "Saved " + folder.file(name); },
+                            20.0);
   }
-  SaveChoice& choice() { return rig.content().state().save; }
+  SaveChoice& choice() { return rig.state().save; }
 
   test::TemporaryFolder folder;
 };
@@ -38,9 +38,9 @@ TEST_F(SaveTest, AnySizeIsRenderedAsItIsSaved) {
     choice().size = {321, 203};
     rig.frame();
     rig.click("Save");
-    ASSERT_TRUE(saved(exr ? "scene-001.exr" : "scene-002.png")) << rig.content().state().message;
+    ASSERT_TRUE(saved(exr ? "scene-001.exr" : "scene-002.png")) << rig.state().message;
   }
-  Snapshot snapshot = rig.previewer().render().snapshot();
+  Snapshot snapshot = rig.render().snapshot();
   snapshot.settings.width = 321;
   snapshot.settings.height = 203;
   const Film whole = render_to_end(snapshot).film;
@@ -71,7 +71,7 @@ TEST_F(SaveTest, TheWindowIsSavedAsSeen) {
   EXPECT_EQ(glm::ivec2(window.width, window.height), rig.size());
 
   open_dialog();
-  EXPECT_FALSE(rig.content().controls().all().contains("Format/EXR")) << "only of a picture";
+  EXPECT_FALSE(rig.controls().contains("Format/EXR")) << "only of a picture";
   rig.click("Content/Viewport");
   rig.click("Save");
   ASSERT_TRUE(saved("scene-002.png"));
@@ -96,8 +96,7 @@ TEST_F(SaveTest, CanBeStoppedAndLeavesNothing) {
   choice().size = {8000, 6000};
   rig.frame();
   rig.click("Save");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.content().controls().all().contains("Stop saving"); }));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.controls().contains("Stop saving"); }));
   ASSERT_TRUE(rig.frames_until([&] { return !std::filesystem::is_empty(folder.path()); }))
       << "it is on its way";
   for (int i = 0; i < 3; ++i) rig.frame();  // the notice has got its place
@@ -107,8 +106,7 @@ TEST_F(SaveTest, CanBeStoppedAndLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 
   open_dialog();
-  rig.click("Cancel");
-  rig.frame();
+  rig.click_each({"Cancel"});
   EXPECT_FALSE(choice().show);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
@@ -118,9 +116,8 @@ TEST_F(SaveTest, WhyItCouldNotBeSavedIsSaid) {
   choice().stem = folder.file("missing/deep");
   rig.click("Save");
   ASSERT_TRUE(rig.frames_until([&] {
-    return rig.content().state().message.starts_with("Not saved: " +
-                                                     folder.file("missing/deep.png"));
-  })) << rig.content().state().message;
+    return rig.state().message.starts_with("Not saved: " + folder.file("missing/deep.png"));
+  })) << rig.state().message;
 }
 
 // A dropped picture restores its display settings; a picture without settings gives an error.
@@ -128,23 +125,21 @@ TEST_F(SaveTest, SavedPicturesCanBeOpened) {
   display().exposure_ev = 1.5f;
   settings().asos.eps = 0.25;
   rig.key(Key::p);  // before the picture is finished
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.content().state().message.ends_with("scene-001.png"); }));
-  EXPECT_TRUE(rig.content().state().message.starts_with("Saved unfinished ("))
-      << rig.content().state().message;
+  ASSERT_TRUE(rig.frames_until([&] { return rig.state().message.ends_with("scene-001.png"); }));
+  EXPECT_TRUE(rig.state().message.starts_with("Saved unfinished (")) << rig.state().message;
   display().exposure_ev = 0.0f;
   settings().asos.eps = 0.5;
-  rig.previewer().scene().open(folder.file("scene-001.png"));
+  rig.scene().open(folder.file("scene-001.png"));
   ASSERT_TRUE(rig.frames_until([&] { return settings().asos.eps == 0.25; }));
   rig.frame();
   EXPECT_EQ(display().exposure_ev, 1.5f);
 
   const RgbImage plain{1, 1, {1, 2, 3}, {}};
   ASSERT_TRUE(write_png(folder.file("plain.png"), plain));
-  rig.previewer().scene().open(folder.file("plain.png"));
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
-  EXPECT_EQ(rig.previewer().scene().error()->subject, folder.file("plain.png"));
-  EXPECT_NE(rig.previewer().scene().error()->reason.find("holds no settings"), std::string::npos);
+  rig.scene().open(folder.file("plain.png"));
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
+  EXPECT_EQ(rig.scene().error()->subject, folder.file("plain.png"));
+  EXPECT_NE(rig.scene().error()->reason.find("holds no settings"), std::string::npos);
   EXPECT_EQ(settings().asos.eps, 0.25) << "the scene and its settings stay";
 }
 

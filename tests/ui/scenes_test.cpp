@@ -24,7 +24,7 @@ class Scenes : public ChoiceTest {
  protected:
   Scenes() : ChoiceTest("Scene", two_scenes()) {}
   [[nodiscard]] std::size_t triangles() { return scene()->world().triangles.size(); }
-  [[nodiscard]] double distance() { return rig.previewer().viewpoint().camera().distance(); }
+  [[nodiscard]] double distance() { return rig.camera().distance(); }
 };
 
 TEST_F(Scenes, AreChosenFromAList) {
@@ -46,14 +46,14 @@ TEST_F(Scenes, StayWhereTheFileIsLoadedAgain) {
 }
 
 TEST_F(Scenes, ComeBackWithSavedPictures) {
-  EXPECT_EQ(rig.previewer().render().description({}).scene_number, -1) << "the file's own";
+  EXPECT_EQ(rig.render().description({}).scene_number, -1) << "the file's own";
   choose("0: One\\n");
-  const PictureDescription said = rig.previewer().render().description({});
+  const PictureDescription said = rig.render().description({});
   EXPECT_EQ(said.scene_number, 0);
   const std::string picture = folder_.file("one.png");
-  ASSERT_TRUE(write_png(picture, rig.previewer().render().film(), {}, picture_text(said)));
+  ASSERT_TRUE(write_png(picture, rig.film(), {}, picture_text(said)));
   open("builtin:boxes");
-  EXPECT_FALSE(rig.content().controls().all().contains("Scene"));
+  EXPECT_FALSE(rig.controls().contains("Scene"));
   open(picture);
   EXPECT_EQ(triangles(), 2u);
 }

@@ -59,16 +59,14 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
   test::UiRig rig([](const std::string& source) -> Result<Scene> {
     return test::two_triangles({0.8f, 0.1f, 0.1f}, source);
   });
-  rig.previewer().scene().open("builtin:seen");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.opens("builtin:seen") && rig.settle());
 
   rig.key(Key::p);
   const std::string path = (folder / "seen-001.png").string();
-  EXPECT_EQ(rig.content().state().message, "Saved " + path);
+  EXPECT_EQ(rig.state().message, "Saved " + path);
   const Result<RgbImage> plain = read_png(path);
   ASSERT_TRUE(plain) << plain.error().message();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   ASSERT_EQ(plain->width, film.width);
   ASSERT_EQ(plain->height, film.height);
   for (std::size_t i = 0; i < film.radiance.size(); ++i) {
@@ -76,9 +74,9 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
     ASSERT_EQ(got, display_bytes(film, i, test::usual_display)) << "pixel " << i;
   }
 
-  rig.content().state().display = {};
-  rig.content().state().display.show_split_map = true;
-  rig.content().state().display.split_dimming = 1.0f;
+  rig.state().display = {};
+  rig.state().display.show_split_map = true;
+  rig.state().display.split_dimming = 1.0f;
   rig.key(Key::f12);
   const Result<RgbImage> overlaid = read_png((folder / "seen-002.png").string());
   ASSERT_TRUE(overlaid) << overlaid.error().message();
@@ -87,7 +85,7 @@ TEST_F(ScreenshotTest, TheKeySavesThePictureAsSeen) {
     ASSERT_EQ(got, SplitMapKey{}.colour(SplitMapKey{}.value(film, i))) << "pixel " << i;
   }
 
-  rig.content().state().display.split_colours = SplitMapColours::cause;
+  rig.state().display.split_colours = SplitMapColours::cause;
   rig.key(Key::f12);
   const Result<RgbImage> by_cause = read_png((folder / "seen-003.png").string());
   ASSERT_TRUE(by_cause) << by_cause.error().message();

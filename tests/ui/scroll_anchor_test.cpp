@@ -16,18 +16,15 @@ class ScrollAnchorTest : public PanelsTest {
     (void)rig.control("section/Scene");
     EXPECT_TRUE(rig.settle());
   }
-  [[nodiscard]] float height_of(const char* control) {
-    return rig.content().controls().all().at(control).lo.y;
-  }
+  [[nodiscard]] float height_of(const char* control) { return rig.controls().at(control).lo.y; }
   /// Removes or restores rows of the statistics, above the outline.
   [[nodiscard]] bool show_parts(bool both) {
     if (both)
-      rig.previewer().scene().show_all();
+      rig.scene().show_all();
     else
-      rig.previewer().scene().hide(0);
+      rig.scene().hide(0);
     return rig.frames_until([&] {
-      return rig.previewer().scene()->world().parts.size() == (both ? 2u : 1u) &&
-             !rig.previewer().scene().loading();
+      return rig.scene()->world().parts.size() == (both ? 2u : 1u) && !rig.scene().loading();
     }) && rig.settle();
   }
 };
@@ -61,15 +58,15 @@ TEST(ScrollAnchorAtStart, APointerThatRestsOverThePanelHoldsNothing) {
               return scene;
             },
             {660, 400}};
-  rig.content().input().add(MouseMoved{{560.0f, 250.0f}});
+  rig.input().add(MouseMoved{{560.0f, 250.0f}});
   rig.frame();
-  const float head = rig.content().controls().all().at("Open...").lo.y;
-  rig.previewer().scene().open("noted");
-  const OpenScene& scene = rig.previewer().scene();
+  const float head = rig.controls().at("Open...").lo.y;
+  rig.scene().open("noted");
+  const OpenScene& scene = rig.scene();
   ASSERT_TRUE(rig.frames_until([&] { return scene && !scene->geometry->notes.warnings.empty(); }));
   ASSERT_TRUE(rig.settle());
   for (int i = 0; i < 5; ++i) rig.frame();
-  EXPECT_EQ(rig.content().controls().all().at("Open...").lo.y, head);
+  EXPECT_EQ(rig.controls().at("Open...").lo.y, head);
 }
 
 TEST_F(ScrollAnchorTest, TheWheelScrolls) {

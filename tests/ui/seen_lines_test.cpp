@@ -16,10 +16,10 @@ class SeenLines : public PanelsTest {
   SeenLines() : PanelsTest(1, {960, 520}) {}
   /// The parts of a line, in the author's coordinates.
   [[nodiscard]] std::vector<LinePart> parts(glm::dvec3 a, glm::dvec3 b) {
-    const RenderScene& scene = *rig.previewer().scene();
+    const RenderScene& scene = *rig.scene();
     const glm::dvec3 origin = scene.world().origin;
-    std::vector<LinePart> found = seen_parts(scene.rays(), rig.previewer().viewpoint().view(),
-                                             Culling::none, a - origin, b - origin);
+    std::vector<LinePart> found =
+        seen_parts(scene.rays(), rig.viewpoint().view(), Culling::none, a - origin, b - origin);
     for (LinePart& part : found) part.from += origin, part.to += origin;
     return found;
   }
@@ -69,7 +69,7 @@ TEST_F(SeenLines, TheGridGoesBehindWhatStandsOnIt) {
   display().show_grid = true;
   rig.frame();
   const std::vector<glm::u8vec3> with = rig.pixels();
-  const Viewpoint& viewpoint = rig.previewer().viewpoint();
+  const Viewpoint& viewpoint = rig.viewpoint();
   const PixelRect area = rig.content().picture_rect();
   int hidden = 0, drawn_in_front = 0, beside = 0;
   for (int y = 0; y < area.height; ++y) {

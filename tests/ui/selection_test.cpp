@@ -16,8 +16,8 @@ namespace {
 class SelectionTest : public test::PanelsTest {
  protected:
   SelectionTest() : PanelsTest(4, {900, 480}) {}
-  UiState& state() { return rig.content().state(); }
-  OpenScene& scene() { return rig.previewer().scene(); }
+  UiState& state() { return rig.state(); }
+  OpenScene& scene() { return rig.scene(); }
   void click_picture(glm::vec2 share) {
     rig.rest();
     const WindowRect picture = rig.content().layout().picture;
@@ -64,9 +64,9 @@ TEST_F(SelectionTest, AClickSelectsAndAnotherInspects) {
   click_picture({0.02f, 0.02f});
   EXPECT_EQ(state().outline.selected, -1) << "the background";
   EXPECT_FALSE(state().picked);
-  rig.content().input().add(KeyChanged{Key::ctrl, true});
+  rig.input().add(KeyChanged{Key::ctrl, true});
   click_picture({0.5f, 0.5f});
-  rig.content().input().add(KeyChanged{Key::ctrl, false});
+  rig.input().add(KeyChanged{Key::ctrl, false});
   rig.frame();
   EXPECT_TRUE(state().picked) << "Ctrl + click inspects at once";
 }
@@ -83,13 +83,13 @@ TEST_F(SelectionTest, KeysHideIsolateAndShowAndUndoTakesEachBack) {
   undo();
   ASSERT_TRUE(becomes(2));
   EXPECT_EQ(state().message, "Undone: hidden objects");
-  rig.content().input().add(KeyChanged{Key::shift, true});
+  rig.input().add(KeyChanged{Key::shift, true});
   undo();
-  rig.content().input().add(KeyChanged{Key::shift, false});
+  rig.input().add(KeyChanged{Key::shift, false});
   ASSERT_TRUE(becomes(1)) << "done again";
-  rig.content().input().add(KeyChanged{Key::alt, true});
+  rig.input().add(KeyChanged{Key::alt, true});
   rig.key(Key::h);
-  rig.content().input().add(KeyChanged{Key::alt, false});
+  rig.input().add(KeyChanged{Key::alt, false});
   ASSERT_TRUE(becomes(2));
   click_picture({0.5f, 0.5f});
   ASSERT_EQ(state().outline.selected, 0);
@@ -105,7 +105,7 @@ TEST_F(SelectionTest, KeysHideIsolateAndShowAndUndoTakesEachBack) {
 
 TEST_F(SelectionTest, FFramesTheSelectedObject) {
   click_picture({0.5f, 0.5f});
-  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  const OrbitCamera& camera = rig.camera();
   rig.key(Key::f);
   const Box& box = scene()->world().parts[0].bounds;
   EXPECT_NEAR(glm::distance(camera.pivot(), 0.5 * (glm::dvec3(box.lo) + glm::dvec3(box.hi))), 0.0,
@@ -117,9 +117,9 @@ TEST_F(SelectionTest, FFramesTheSelectedObject) {
 }
 
 TEST_F(SelectionTest, AxesTurnTheView) {
-  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  const OrbitCamera& camera = rig.camera();
   const auto back = [&] { return glm::dvec3(camera.camera().world_from_camera[2]); };
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   EXPECT_FALSE(all.contains("Axis/Y")) << "the picture is narrow";
   rig.resize({1200, 480});
   ASSERT_TRUE(rig.settle());
@@ -128,7 +128,7 @@ TEST_F(SelectionTest, AxesTurnTheView) {
                                       {"Axis/Z", {0, 0, 1}}}) {
     rig.rest();
     // The ends that point to the viewer or away lie in the middle.
-    rig.previewer().viewpoint().camera().turn_to(0.6, 0.5);
+    rig.camera().turn_to(0.6, 0.5);
     rig.frame();
     rig.click(name);
     rig.frame();

@@ -17,10 +17,7 @@ using test::PanelsTest;
 
 class SkyPanelTest : public PanelsTest {
  protected:
-  SkyPanelTest() {
-    rig.click("section/Sky");
-    rig.frame();
-  }
+  SkyPanelTest() { rig.click_each({"section/Sky"}); }
   [[nodiscard]] const Sky* sky() { return settings().sky.get(); }
   /// A uniform sky: Radiance RGBE, 4 x 2 pixels, without run-length encoding.
   void write_sky(const std::string& path) {
@@ -29,7 +26,7 @@ class SkyPanelTest : public PanelsTest {
     for (int i = 0; i < 8; ++i) file.write("\x80\x40\x20\x81", 4);
   }
   [[nodiscard]] glm::vec3 corner() {
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     return film.radiance[film.index(2, film.height - 3)];
   }
 };
@@ -63,7 +60,7 @@ TEST_F(SkyPanelTest, TheBackgroundIsChosenApart) {
   EXPECT_NE(sky()->choice().colours->zenith, usual.top) << "the sky stays";
   rig.click("Background/Transparent");
   ASSERT_TRUE(restarted());
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   EXPECT_EQ(film.coverage.at(film.index(2, film.height - 3)), 0.0f);
   EXPECT_EQ(corner(), glm::vec3(0.0f));
   rig.click("Background/Environment");
@@ -76,7 +73,7 @@ TEST_F(SkyPanelTest, AGradientStaysOneWhenItsColoursMeet) {
   settings().sky = std::make_shared<const Sky>(glm::vec3(0.5f));
   rig.frame();
   rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Horizon"));
+  EXPECT_TRUE(rig.controls().contains("Horizon"));
 }
 
 TEST_F(SkyPanelTest, APictureIsReadAndTurned) {
@@ -85,15 +82,15 @@ TEST_F(SkyPanelTest, APictureIsReadAndTurned) {
   write_sky(path);
   rig.click("Sky/File");
   EXPECT_EQ(sky(), nullptr) << "nothing changes before it is read";
-  rig.content().state().sky.path = path + ".png";
+  rig.state().sky.path = path + ".png";
   rig.click("Load sky");
-  ASSERT_TRUE(rig.frames_until([&] { return !rig.content().state().sky.error.empty(); }));
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.state().sky.error.empty(); }));
   EXPECT_EQ(sky(), nullptr);
-  rig.content().state().sky.path = path;
+  rig.state().sky.path = path;
   rig.frame();
   rig.click("Load sky");
   ASSERT_TRUE(rig.frames_until([&] { return sky() != nullptr; }));
-  EXPECT_TRUE(rig.content().state().sky.error.empty());
+  EXPECT_TRUE(rig.state().sky.error.empty());
   EXPECT_TRUE(sky()->is_picture());
   EXPECT_EQ(sky()->choice().file, path);
   EXPECT_TRUE(restarted());
@@ -123,43 +120,43 @@ TEST_F(SkyPanelTest, SaysThatAPictureIsShownWithFewerPixels) {
   Film picture(6000, 3000);  // more than 2^24, in a small file
   ASSERT_TRUE(write_exr(path, picture, {}));
   rig.click("Sky/File");
-  rig.content().state().sky.path = path;
+  rig.state().sky.path = path;
   rig.frame();
   rig.click("Load sky");
   ASSERT_TRUE(rig.frames_until([&] { return sky() != nullptr; }));
   rig.frame();
-  EXPECT_NE(rig.content().state().sky.remark.find("shown with 3000 x 1500"), std::string::npos)
-      << rig.content().state().sky.remark;
-  EXPECT_TRUE(rig.content().controls().all().contains("Sky remark"));
+  EXPECT_NE(rig.state().sky.remark.find("shown with 3000 x 1500"), std::string::npos)
+      << rig.state().sky.remark;
+  EXPECT_TRUE(rig.controls().contains("Sky remark"));
   // The next image needs no warning.
   write_sky(folder.file("small.hdr"));
-  rig.content().state().sky.path = folder.file("small.hdr");
+  rig.state().sky.path = folder.file("small.hdr");
   rig.frame();
   rig.click("Load sky");
   ASSERT_TRUE(rig.frames_until([&] { return sky()->choice().file != path; }));
   rig.frame();
-  EXPECT_FALSE(rig.content().controls().all().contains("Sky remark"));
+  EXPECT_FALSE(rig.controls().contains("Sky remark"));
 }
 
 // A drag over a quarter of the picture's height rotates by a quarter of 180 degrees, as in orbits.
 TEST_F(SkyPanelTest, ShiftAndTheRightButtonTurnWhatSurroundsTheScene) {
-  const auto key_light = [this] { return rig.previewer().scene()->lights().front(); };
+  const auto key_light = [this] { return rig.scene()->lights().front(); };
   const auto middle = [this] {
-    const Box bounds = rig.previewer().scene()->world().bounds;
+    const Box bounds = rig.scene()->world().bounds;
     return 0.5 * (glm::dvec3(bounds.lo) + glm::dvec3(bounds.hi));
   };
   const auto drag = [this](float heights) {
-    rig.content().input().add(KeyChanged{Key::shift, true});
+    rig.input().add(KeyChanged{Key::shift, true});
     const float across = heights * rig.content().layout().picture.size.y;
     rig.drag({20, 300}, {20 + across, 300}, MouseButton::right);
-    rig.content().input().add(KeyChanged{Key::shift, false});
+    rig.input().add(KeyChanged{Key::shift, false});
     rig.frame();
   };
-  const glm::dmat4 view = rig.previewer().viewpoint().camera().camera().world_from_camera;
+  const glm::dmat4 view = rig.camera().camera().world_from_camera;
   const glm::dvec3 before = key_light().position - middle();
   drag(0.25f);
   EXPECT_TRUE(restarted());
-  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, view);
+  EXPECT_EQ(rig.camera().camera().world_from_camera, view);
   const glm::dvec3 after = key_light().position - middle();
   EXPECT_NEAR(after.y, before.y, 1e-6 * glm::length(before));
   EXPECT_NEAR(glm::length(after), glm::length(before), 1e-6 * glm::length(before));
@@ -177,7 +174,7 @@ TEST_F(SkyPanelTest, ShiftAndTheRightButtonTurnWhatSurroundsTheScene) {
   const std::string path = folder.file("sky.hdr");
   write_sky(path);
   rig.click("Sky/File");
-  rig.content().state().sky.path = path;
+  rig.state().sky.path = path;
   rig.frame();
   rig.click("Load sky");
   ASSERT_TRUE(rig.frames_until([&] { return sky() != nullptr && sky()->is_picture(); }));
@@ -188,7 +185,7 @@ TEST_F(SkyPanelTest, ShiftAndTheRightButtonTurnWhatSurroundsTheScene) {
 TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
   const auto names = [this] {
     std::string all;
-    for (const Light& light : rig.previewer().scene()->lights()) all += light.name + " ";
+    for (const Light& light : rig.scene()->lights()) all += light.name + " ";
     return all;
   };
   // Edits in quick succession are undone together.
@@ -221,7 +218,7 @@ TEST_F(SkyPanelTest, APresetBringsItsSunForASceneWithoutLights) {
 }
 
 TEST_F(SkyPanelTest, AnEnvironmentIsTurnedAndBrightenedWithItsLights) {
-  const auto light = [this]() -> const Light& { return rig.previewer().edits().lights()[0].light; };
+  const auto light = [this]() -> const Light& { return rig.edits().lights()[0].light; };
   rig.click("Environment/softboxes");
   ASSERT_TRUE(restarted());
   const Light before = light();
@@ -230,7 +227,7 @@ TEST_F(SkyPanelTest, AnEnvironmentIsTurnedAndBrightenedWithItsLights) {
   EXPECT_NEAR(sky()->choice().turn_deg, 90.0, 5.0);
   EXPECT_GT(glm::distance(light().position, before.position), 1.0);
   const Sky turned = *sky();
-  const std::vector<Light> expected = lights_under(*rig.previewer().scene().shared(), &turned);
+  const std::vector<Light> expected = lights_under(*rig.scene().shared(), &turned);
   EXPECT_NEAR(glm::distance(light().position, expected[0].position), 0.0, 1e-6);
   slide("Brightness", 0.3f, 0.8f);
   const double times = sky()->choice().brightness;
@@ -243,10 +240,10 @@ TEST_F(SkyPanelTest, AnEnvironmentIsTurnedAndBrightenedWithItsLights) {
 TEST_F(SkyPanelTest, ShiftAndTheRightButtonUpBrightenTheSky) {
   rig.click("Environment/daylight");
   ASSERT_TRUE(restarted());
-  rig.content().input().add(KeyChanged{Key::shift, true});
+  rig.input().add(KeyChanged{Key::shift, true});
   const float up = 0.25f * rig.content().layout().picture.size.y;
   rig.drag({20, 300}, {20, 300 - up}, MouseButton::right);
-  rig.content().input().add(KeyChanged{Key::shift, false});
+  rig.input().add(KeyChanged{Key::shift, false});
   rig.frame();
   EXPECT_NEAR(sky()->choice().brightness, std::sqrt(2.0), 0.02);
   EXPECT_EQ(sky()->choice().turn_deg, 0.0);
@@ -257,14 +254,14 @@ TEST_F(SkyPanelTest, ADroppedPictureBecomesTheSky) {
   const std::string hdr = folder.file("sky.hdr"), exr = folder.file("sky.exr");
   write_sky(hdr);
   ASSERT_TRUE(write_exr(exr, Film(16, 8), {}));
-  const std::string scene = rig.previewer().scene()->geometry->source;
+  const std::string scene = rig.scene()->geometry->source;
   for (const std::string& file : {hdr, exr}) {
     rig.content().open_dropped(file);
     ASSERT_TRUE(rig.frames_until([&] { return sky() && sky()->choice().file == file; })) << file;
-    EXPECT_EQ(rig.previewer().scene()->geometry->source, scene);
+    EXPECT_EQ(rig.scene()->geometry->source, scene);
   }
   rig.content().open_dropped(folder.file("missing.hdr"));
-  ASSERT_TRUE(rig.frames_until([&] { return !rig.content().state().sky.error.empty(); }));
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.state().sky.error.empty(); }));
   EXPECT_EQ(sky()->choice().file, exr) << "the sky stays";
 }
 
@@ -274,12 +271,11 @@ TEST_F(SkyPanelTest, BrowsesForSkies) {
   write_sky(path);
   folder.write("model.glb", "x");
   rig.click("Sky/File");
-  rig.content().state().sky.path = path + "x";
+  rig.state().sky.path = path + "x";
   rig.frame();
-  rig.click("Browse...");
+  rig.click_each({"Browse..."});
   rig.frame();
-  rig.frame();
-  const FolderListing& listing = rig.content().state().sky.browser.listing;
+  const FolderListing& listing = rig.state().sky.browser.listing;
   ASSERT_EQ(listing.entries.size(), 1u) << "no models";
   EXPECT_EQ(listing.entries[0].name, "my sky.hdr");
   rig.click("Open");
@@ -289,7 +285,7 @@ TEST_F(SkyPanelTest, BrowsesForSkies) {
 
 // For large scenes, changing the ground takes seconds, in the background.
 TEST_F(SkyPanelTest, TheStatusLineSaysThatTheGroundChanges) {
-  const auto words = [this] { return rig.content().controls().all().at("Progress").words; };
+  const auto words = [this] { return rig.controls().at("Progress").words; };
   settings().ground = Ground::on;
   rig.frame();
   EXPECT_EQ(words(), "Updating ground");
@@ -302,28 +298,22 @@ TEST_F(SkyPanelTest, TheStatusLineSaysThatTheGroundChanges) {
 
 class ExposureTest : public PanelsTest {
  protected:
-  void open(const std::string& source) {
-    rig.previewer().scene().open(source);
-    EXPECT_TRUE(rig.frames_until([&] {
-      return rig.previewer().scene() && rig.previewer().scene()->geometry->source == source;
-    }));
-  }
+  void open(const std::string& source) { EXPECT_TRUE(rig.opens(source)); }
 };
 
 TEST_F(ExposureTest, FollowsABrightSceneUntilAPersonSetsIt) {
   open("sunlit");
   ASSERT_TRUE(rig.frames_until([&] { return display().auto_exposure; }));
   EXPECT_LT(display().exposure_ev, -5.0f);
-  EXPECT_NE(rig.content().state().message.find("Auto exposure"), std::string::npos);
+  EXPECT_NE(rig.state().message.find("Auto exposure"), std::string::npos);
   EXPECT_FALSE(rig.content().stored_settings().display.auto_exposure);
   EXPECT_EQ(rig.content().stored_settings().display.exposure_ev, 0.0f) << "of this scene alone";
   // A quarter of the light's power is metered again.
   const float before = display().exposure_ev;
-  rig.previewer().edits().edit_lights()[0].light.intensity *= 0.25f;
+  rig.edits().edit_lights()[0].light.intensity *= 0.25f;
   ASSERT_TRUE(rig.frames_until([&] { return display().exposure_ev > before + 1.5f; }));
   EXPECT_TRUE(display().auto_exposure);
-  rig.click("Auto exposure");
-  rig.frame();
+  rig.click_each({"Auto exposure"});
   EXPECT_FALSE(display().auto_exposure);
   EXPECT_EQ(display().exposure_ev, 0.0f);
   rig.click("Auto exposure");

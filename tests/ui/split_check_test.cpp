@@ -51,10 +51,9 @@ TEST(FindFaults, NeighboursAreOneRun) {
 class SplitCheckTest : public PanelsTest {
  protected:
   SplitCheckTest() : PanelsTest(1, {460, 400}) {}
-  [[nodiscard]] UiState& state() { return rig.content().state(); }
+  [[nodiscard]] UiState& state() { return rig.state(); }
   [[nodiscard]] Snapshot snapshot() {
-    return {rig.previewer().scene().shared(), rig.previewer().viewpoint().camera().camera(),
-            rig.previewer().render().settings(), false};
+    return {rig.scene().shared(), rig.camera().camera(), rig.render().settings(), false};
   }
 };
 
@@ -105,7 +104,7 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
   EXPECT_GT(check.findings()->missed_pixels, 50u) << "the triangles' edges";
   for (const PixelRun& run : check.findings()->missed) {
     EXPECT_GE(run.x, 0);
-    EXPECT_LE(run.x + run.count, rig.previewer().render().film().width);
+    EXPECT_LE(run.x + run.count, rig.film().width);
   }
   check.update(rig.previewer(), false, 1.0 / 64.0);
   EXPECT_EQ(check.findings(), nullptr);
@@ -116,15 +115,13 @@ TEST_F(SplitCheckTest, FindsNothingMissedWhereEverythingIsSplitAndAllWhereNothin
 // those brighter than white had errors of 10 to 40 display steps.
 TEST_F(SplitCheckTest, TheReferenceIsDisplayedAsThePictureIs) {
   for (const char* source : {"shining", "two triangles"}) {
-    rig.previewer().scene().open(source);
-    ASSERT_TRUE(
-        rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; }));
+    ASSERT_TRUE(rig.opens(source));
     SplitCheck check;
     ASSERT_TRUE(rig.frames_until([&] {
       check.update(rig.previewer(), true, 1.0 / 64.0);
       return check.findings() != nullptr;
     }));
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     for (const ToneCurve tone : {ToneCurve::none, ToneCurve::neutral, ToneCurve::agx}) {
       const DisplayTransform display{-0.5f, tone};
       double most = 0.0;
@@ -160,11 +157,11 @@ TEST(PassMean, OfOnePictureIsThatPicture) {
 }
 
 TEST_F(SplitCheckTest, TheRowOfMaxCountsThePixelsThatItEnded) {
-  rig.content().state().tab = PanelTab::antialias;
+  rig.state().tab = PanelTab::antialias;
   const auto ended = [&] {
     EXPECT_TRUE(rig.settle());
     rig.frame();
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     const auto count = std::count(film.cause.begin(), film.cause.end(), SplitCause::depth_limit);
     const double percent =
         100.0 * static_cast<double>(count) / static_cast<double>(film.cause.size());
@@ -227,7 +224,7 @@ TEST_F(SplitCheckTest, OtherMethodsHaveAReferenceToo) {
 
 TEST_F(SplitCheckTest, AForecastComesNearToWhatIsRendered) {
   const Forecast told = forecast(snapshot(), 10.0);
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   double split = 0.0;
   for (std::size_t i = 0; i < film.radiance.size(); ++i)
     split += film.split_level[i] > 0 || film.cause[i] != SplitCause::none;
@@ -271,7 +268,7 @@ TEST_F(SplitCheckTest, ARivalGetsTheTimeItIsGiven) {
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.front(), "1 spp") << "the first try";
   ASSERT_TRUE(frame.has_value());
-  EXPECT_EQ(frame->film.width, rig.previewer().render().film().width);
+  EXPECT_EQ(frame->film.width, rig.film().width);
   EXPECT_NE(frame->summary.find("Stochastic"), std::string::npos);
   EXPECT_GT(processor_seconds(frame->film), 0.0);
   const auto adaptive = render_in_time(snapshot(), Method::sobol_adaptive, 0.05, never);
@@ -284,8 +281,7 @@ TEST_F(SplitCheckTest, ARivalGetsTheTimeItIsGiven) {
 TEST_F(SplitCheckTest, TheSplitScreenShowsTheRivalAtTheRight) {
   state().equal_time.method = Method::sobol;
   rig.unfold("Compare");
-  rig.click("With/Method");
-  rig.frame();
+  rig.click_each({"With/Method"});
   rig.click("Render and compare");
   ASSERT_TRUE(rig.frames_until([&] { return !state().frames.stored.empty(); }));
   EXPECT_EQ(state().frames.comparison, Comparison::wipe);

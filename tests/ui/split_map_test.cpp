@@ -22,36 +22,28 @@ constexpr double view_height = 8.0;  // in world units, around the origin
 constexpr float kink_x = -1.53125f, card_left = 1.029f, card_right = 2.029f;
 
 void add_quad(Scene& scene, glm::vec3 corner, glm::vec3 a, glm::vec3 b) {
-  Mesh mesh;
-  mesh.positions = {corner, corner + a, corner + a + b, corner + b};
+  Mesh mesh{.positions = {corner, corner + a, corner + a + b, corner + b}};
   mesh.normals.assign(4, glm::normalize(glm::cross(a, b)));
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   mesh.material = 0;
-  Instance instance;
-  instance.mesh = static_cast<int>(scene.meshes.size());
+  Instance instance{.mesh = static_cast<int>(scene.meshes.size())};
   scene.meshes.push_back(std::move(mesh));
   scene.instances.push_back(instance);
 }
 
 Result<Scene> kinked_wall(const std::string& source) {
-  Scene scene;
-  scene.source = source;
-  Material matte;
-  matte.base_color = {0.6f, 0.6f, 0.6f, 1.0f};
-  matte.metallic = 0.0f;
+  Scene scene{.source = source};
+  Material matte{.base_color = {0.6f, 0.6f, 0.6f, 1.0f}, .metallic = 0.0f};
   scene.materials.push_back(matte);
   add_quad(scene, {kink_x - 20.0f, -20, -4}, {20, 0, 4}, {0, 40, 0});
   add_quad(scene, {kink_x, -20, 0}, {20, 0, 0}, {0, 40, 0});
   add_quad(scene, {card_left, -1, 1}, {card_right - card_left, 0, 0}, {0, 2, 0});
-  Light light;
-  light.name = "sun";
-  light.type = Light::Type::directional;
-  light.direction = glm::normalize(glm::dvec3(-1, 0, -1));
-  light.intensity = 3.0f;
+  Light light{.name = "sun",
+              .type = Light::Type::directional,
+              .intensity = 3.0f,
+              .direction = glm::normalize(glm::dvec3(-1, 0, -1))};
   scene.lights.push_back(light);
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.height = view_height;
+  Camera camera{.type = Camera::Type::orthographic, .height = view_height};
   camera.world_from_camera[3] = glm::dvec4(0, 0, 10, 1);
   scene.cameras.push_back(camera);
   return scene;
@@ -59,13 +51,9 @@ Result<Scene> kinked_wall(const std::string& source) {
 
 class SplitMapTest : public testing::Test {
  protected:
-  SplitMapTest() {
-    rig.previewer().scene().open("wall");
-    EXPECT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-    EXPECT_TRUE(rig.settle());
-  }
+  SplitMapTest() { EXPECT_TRUE(rig.opens("wall") && rig.settle()); }
 
-  DisplaySettings& display() { return rig.content().state().display; }
+  DisplaySettings& display() { return rig.state().display; }
 
   void show(SplitMapColours colours) {
     display().show_split_map = true;
@@ -76,7 +64,7 @@ class SplitMapTest : public testing::Test {
   }
   /// The pixel that shows a point of the world.
   [[nodiscard]] glm::ivec2 pixel_of(double x, double y) {
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     const double scale = film.height / view_height;
     return {static_cast<int>(std::floor(0.5 * film.width + x * scale)),
             static_cast<int>(std::floor(0.5 * film.height - y * scale))};
@@ -96,7 +84,7 @@ TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
                                  {card_left - 1.0, SplitCause::shadow},
                                  {card_left - 0.5, SplitCause::none}}) {
     const glm::ivec2 at = pixel_of(x, 0.13);
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     EXPECT_EQ(film.cause[film.index(at.x, at.y)], cause) << x;
     EXPECT_EQ(shown(at), split_cause_colour(cause)) << x;
   }
@@ -110,7 +98,7 @@ TEST_F(SplitMapTest, ShowsTheCauseOfKnownPixels) {
 
 TEST_F(SplitMapTest, EveryPixelHasItsCausesColour) {
   show(SplitMapColours::cause);
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   const std::vector<glm::u8vec3> pixels = rig.pixels();
   for (int y = 0; y < film.height; ++y) {
     for (int x = 0; x < film.width; ++x) {
@@ -122,7 +110,7 @@ TEST_F(SplitMapTest, EveryPixelHasItsCausesColour) {
 }
 
 TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
-  const std::uint64_t restarts = rig.previewer().render().restarts();
+  const std::uint64_t restarts = rig.render().restarts();
   const glm::ivec2 kink = pixel_of(kink_x, 0.13);
   display().split_dimming = 1.0f;
   rig.key(Key::m);
@@ -132,22 +120,22 @@ TEST_F(SplitMapTest, TheKeysChooseItAndRestartNothing) {
   for (const auto cost : {SplitMapColours::rays, SplitMapColours::time}) {
     rig.key(Key::c);
     EXPECT_EQ(display().split_colours, cost);
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     const SplitMapKey key{cost};
     EXPECT_EQ(shown(kink), key.colour(key.value(film, film.index(kink.x, kink.y))));
   }
   rig.key(Key::c);
   EXPECT_EQ(shown(kink), by_level);
   EXPECT_NE(by_level, split_cause_colour(SplitCause::crease));
-  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+  EXPECT_EQ(rig.render().restarts(), restarts);
 }
 
 TEST_F(SplitMapTest, TheLegendHasTheCausesThatOccur) {
   show(SplitMapColours::cause);
   display().show_legend = true;
   for (int i = 0; i < 3; ++i) rig.frame();
-  const std::vector<SplitCause>& causes = rig.previewer().render().film().cause;
-  const auto& all = rig.content().controls().all();
+  const std::vector<SplitCause>& causes = rig.film().cause;
+  const auto& all = rig.controls();
   int occur = 0;
   for (std::size_t i = 1; i < split_cause_count; ++i) {
     const auto cause = static_cast<SplitCause>(i);
@@ -173,7 +161,7 @@ TEST_F(SplitMapTest, TheLegendHasTheCausesThatOccur) {
 // For each colouring, while the map is shown: the legend is on the picture, visible without
 // scrolling, with the quantity and its unit.
 TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   EXPECT_FALSE(all.contains("Map legend"));
   for (const auto& [colours, title] :
        {std::pair<SplitMapColours, std::string>{SplitMapColours::level,
@@ -214,9 +202,8 @@ TEST_F(SplitMapTest, TheLegendStandsOnThePictureAndNamesItsUnit) {
 }
 
 TEST_F(SplitMapTest, TheStatisticsListCausesAndLights) {
-  rig.click("Tab/Measure");
-  rig.frame();
-  const auto& controls = rig.content().controls().all();
+  rig.click_each({"Tab/Measure"});
+  const auto& controls = rig.controls();
   for (const char* name : {"   silhouette", "   crease, seam", "   shadow", "   1 directional"})
     EXPECT_TRUE(controls.contains(name)) << name;
   for (const char* name : {"   2 directional", "   ..."})
@@ -224,12 +211,12 @@ TEST_F(SplitMapTest, TheStatisticsListCausesAndLights) {
   // The causes' fractions add up to the fraction of split pixels.
   EXPECT_FALSE(controls.contains("Split, by cause"));
   const auto percent = [&](const char* name) { return std::stod(controls.at(name).words); };
-  const RenderStatistics statistics = rig.previewer().render().statistics();
+  const RenderStatistics statistics = rig.render().statistics();
   double in_map = 0.0;
   for (std::size_t i = 1; i < split_cause_count; ++i)
     in_map += static_cast<double>(statistics.pixels_by_cause[i]);
   EXPECT_EQ(static_cast<double>(statistics.split_pixels), in_map);
-  EXPECT_NEAR(percent("Split pixels"), 100.0 * rig.previewer().render().split_share(), 0.006);
+  EXPECT_NEAR(percent("Split pixels"), 100.0 * rig.render().split_share(), 0.006);
 }
 
 // The frame that processes a slider's change shows its map, although no pixel is rendered yet.
@@ -264,7 +251,7 @@ TEST_F(SplitMapTest, AnUnfinishedMapIsHatched) {
   show(SplitMapColours::level);
   const auto hatched = [&] {
     const std::vector<glm::u8vec3> pixels = rig.pixels();
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     std::size_t lines = 0;
     for (int y = 0; y < film.height; ++y)
       for (int x = 0; x < film.width; ++x)
@@ -272,16 +259,16 @@ TEST_F(SplitMapTest, AnUnfinishedMapIsHatched) {
     return static_cast<double>(lines) / (film.width * film.height);
   };
   EXPECT_EQ(hatched(), 0.0);
-  rig.previewer().refinement().set_paused(true);
-  rig.previewer().edits().settings().asos.eps = 0.01;
+  rig.refinement().set_paused(true);
+  rig.settings().asos.eps = 0.01;
   rig.frame();
-  ASSERT_TRUE(rig.frames_until([&] { return !rig.previewer().render().first_picture_pending(); }));
+  ASSERT_TRUE(rig.frames_until([&] { return !rig.render().first_picture_pending(); }));
   EXPECT_NEAR(hatched(), 1.0 / 12.0, 0.01);
   display().show_legend = true;
   for (int i = 0; i < 3; ++i) rig.frame();
-  EXPECT_TRUE(rig.content().controls().all().contains("Unfinished"));
+  EXPECT_TRUE(rig.controls().contains("Unfinished"));
   display().show_legend = false;
-  rig.previewer().refinement().set_paused(false);
+  rig.refinement().set_paused(false);
   ASSERT_TRUE(rig.settle());
   rig.frame();
   EXPECT_EQ(hatched(), 0.0);

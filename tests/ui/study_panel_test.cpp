@@ -117,11 +117,7 @@ TEST_F(ViewStudyTest, FindsWhatTheJobsOfItsPlanGive) {
 
 // The time per sample is so long that the full size would take far too long.
 TEST(StudyInTime, SizeFollowsFromTheScenesCost) {
-  StudyPlan plan;
-  plan.methods = {"asos", "sobol"};
-  plan.width = 1280;
-  plan.height = 640;
-  plan.repetitions = 3;
+  StudyPlan plan{.methods = {"asos", "sobol"}, .width = 1280, .height = 640, .repetitions = 3};
   const StudyPlan cheap = ViewStudy::plan_in_time(plan, 1e-9, 60.0);
   EXPECT_EQ(cheap.width, 1280);
   const StudyPlan dear = ViewStudy::plan_in_time(plan, 1e-6, 60.0);
@@ -220,11 +216,9 @@ TEST(StudyPlot, AxesHoldWholeDecades) {
 TEST(StudyPlot, ShowsPointsByCurveAndLeavesOutWhatHasNoLogarithm) {
   SceneStudy study;
   const auto add = [&](const char* method, const char* curve, double seconds, double rmse) {
-    StudyPoint point;
-    point.rung.method = method;
-    point.rung.curve = curve;
-    point.costs = {{seconds, seconds, 0.0}};
-    point.measures.rmse = rmse;
+    StudyPoint point{.rung = {.method = method, .curve = curve},
+                     .costs = {{seconds, seconds, 0.0}},
+                     .measures = {.rmse = rmse}};
     study.points.push_back(point);
   };
   add("asos", "asos EPS 0", 0.02, 0.01);
@@ -290,8 +284,7 @@ TEST(StudyMarks, NamesAreTheButtons) {
 }
 
 SceneStudy small_study() {
-  SceneStudy study;
-  study.scene = "a, b";
+  SceneStudy study{.scene = "a, b"};
   StudyPoint point;
   point.rung.method = point.rung.curve = "sobol";
   point.rung.setting = "16 spp";
@@ -351,10 +344,10 @@ TEST(StudyExport, SaysWhatCannotBeWritten) {
 }
 
 TEST(StudyPlot, ShowsPicturesWhileTheyRender) {
-  SceneStudy study;
-  study.while_rendering = {{"asos", "MAX 4 EPS 1/256", true, {{0.01, 0.1}, {0.02, 0.0004}}},
-                           {"sobol", "256 spp", true, {{0.01, 0.2}, {0.02, 0.0}}}};
-  study.floor = 0.0005;
+  SceneStudy study{
+      .floor = 0.0005,
+      .while_rendering = {{"asos", "MAX 4 EPS 1/256", true, {{0.01, 0.1}, {0.02, 0.0004}}},
+                          {"sobol", "256 spp", true, {{0.01, 0.2}, {0.02, 0.0}}}}};
   EXPECT_TRUE(plot_of(study).lines.empty());
   const StudyPlot plot = plot_of(study, StudyCurves::while_rendering);
   ASSERT_EQ(plot.lines.size(), 2u);
@@ -371,9 +364,8 @@ class StudyPanelTest : public PanelsTest {
   StudyPanelTest() {
     for (const char* other : {"Antialiasing", "Shadows", "Display", "Camera", "Statistics"})
       rig.click(std::string("section/") + other);
-    rig.click("section/Error vs. time");
-    rig.frame();
-    StudyChoice& choice = rig.content().state().study;
+    rig.click_each({"section/Error vs. time"});
+    StudyChoice& choice = rig.state().study;
     choice.rivals = {"average"};
     choice.automatic = false;
     choice.budget_seconds = 1;
@@ -382,9 +374,7 @@ class StudyPanelTest : public PanelsTest {
     rig.click("Resolution/1/4");
   }
   void open(const std::string& source) {
-    rig.previewer().scene().open(source);
-    ASSERT_TRUE(
-        rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; }));
+    ASSERT_TRUE(rig.opens(source));
     rig.frame();
   }
   [[nodiscard]] ViewStudy::State state() { return rig.content().study().state(); }
@@ -407,7 +397,7 @@ class StudyPanelTest : public PanelsTest {
   }
   [[nodiscard]] bool shown(const std::string& name) {
     rig.frame();
-    return rig.content().controls().all().contains(name);
+    return rig.controls().contains(name);
   }
 };
 
@@ -424,8 +414,8 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   EXPECT_EQ(found.phase, ViewStudy::Phase::finished);
   ASSERT_EQ(found.study.points.size(), 9u + 1u);
   const RenderSettings& settings = found.study.points[0].rung.settings;
-  EXPECT_EQ(settings.width, rig.previewer().render().settings().width / 4);
-  EXPECT_EQ(settings.height, rig.previewer().render().settings().height / 4);
+  EXPECT_EQ(settings.width, rig.render().settings().width / 4);
+  EXPECT_EQ(settings.height, rig.render().settings().height / 4);
   // All settings of ASOS may be exact here, below the noise floor: then only a bound is known.
   EXPECT_EQ(shown("Slower/average"), !found.study.equal_error.empty() || bound_of("average") > 1.0);
 
@@ -433,14 +423,13 @@ TEST_F(StudyPanelTest, RunsAStudyOfTheViewAndPlotsIt) {
   const int finished = pixels_in_plot("average");
   ASSERT_EQ(found.study.while_rendering.size(), 2u);
   rig.click("Curves/While rendering");
-  EXPECT_EQ(rig.content().state().study.curves, StudyCurves::while_rendering);
+  EXPECT_EQ(rig.state().study.curves, StudyCurves::while_rendering);
   EXPECT_GT(pixels_in_plot("average"), 2 * finished) << "a curve instead of a single point";
   rig.click("Curves/Finished");
   EXPECT_EQ(pixels_in_plot("average"), finished);
 
-  rig.click("Copy plot");
-  rig.frame();
-  EXPECT_EQ(rig.content().state().message, "Copied the plot as SVG");
+  rig.click_each({"Copy plot"});
+  EXPECT_EQ(rig.state().message, "Copied the plot as SVG");
   rig.click("Enlarge plot");
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_GT(rig.control("Close plot").lo.y, 0.85f * static_cast<float>(rig.size().y))
@@ -470,10 +459,9 @@ TEST_F(StudyPanelTest, GivesALowerBoundWhereAsosIsExact) {
 }
 
 TEST_F(StudyPanelTest, TheButtonStops) {
-  rig.content().state().study.repetitions = 9;
+  rig.state().study.repetitions = 9;
   rig.click("Resolution/Full");
-  rig.click("Measure");
-  rig.frame();
+  rig.click_each({"Measure"});
   rig.click("Stop measuring");
   ASSERT_TRUE(rig.frames_until([&] { return !rig.content().study().busy(); }));
   EXPECT_EQ(state().phase, ViewStudy::Phase::stopped);
@@ -481,7 +469,7 @@ TEST_F(StudyPanelTest, TheButtonStops) {
 }
 
 TEST_F(StudyPanelTest, AnotherSceneEndsTheStudyOfTheOneBefore) {
-  rig.content().state().study.repetitions = 9;
+  rig.state().study.repetitions = 9;
   rig.click("Resolution/Full");
   rig.click("Measure");
   ASSERT_NE(rig.content().study().scene(), nullptr);
@@ -492,18 +480,18 @@ TEST_F(StudyPanelTest, AnotherSceneEndsTheStudyOfTheOneBefore) {
 }
 
 TEST_F(StudyPanelTest, TheCameraMovesWhileAStudyRuns) {
-  rig.content().state().study.repetitions = 9;
+  rig.state().study.repetitions = 9;
   rig.click("Resolution/Full");
   rig.click("Measure");
-  const glm::dmat4 before = rig.previewer().viewpoint().camera().camera().world_from_camera;
+  const glm::dmat4 before = rig.camera().camera().world_from_camera;
   rig.drag({200, 200}, {260, 180});
-  EXPECT_NE(rig.previewer().viewpoint().camera().camera().world_from_camera, before);
+  EXPECT_NE(rig.camera().camera().world_from_camera, before);
   EXPECT_TRUE(rig.settle()) << "the window renders to the end";
   EXPECT_TRUE(rig.content().study().busy());
 }
 
 TEST_F(StudyPanelTest, ItsControlsChooseWhatIsMeasured) {
-  const StudyChoice& choice = rig.content().state().study;
+  const StudyChoice& choice = rig.state().study;
   rig.click("Study/sobol");
   EXPECT_TRUE(choice.rivals.contains("sobol"));
   rig.click("Study/average");
@@ -512,12 +500,11 @@ TEST_F(StudyPanelTest, ItsControlsChooseWhatIsMeasured) {
   EXPECT_EQ(choice.reduction, 2);
   slide("Reference time", 0.1f, 2.0f);
   EXPECT_EQ(choice.budget_seconds, 600);
-  RenderSettings shown;
-  shown.width = 641;
-  shown.height = 3;
-  shown.threads = 5;
-  shown.mirror.bounces = 2;
-  shown.texture.resolution = 3;
+  RenderSettings shown{.width = 641,
+                       .height = 3,
+                       .texture = {.resolution = 3},
+                       .mirror = {.bounces = 2},
+                       .threads = 5};
   const StudyPlan plan = plan_of(choice, "scene", shown);
   EXPECT_EQ(plan.methods, (std::vector<std::string>{"asos", "sobol"}));
   EXPECT_EQ(plan.width, 320);

@@ -17,7 +17,7 @@ class SurfaceViewerTest : public PanelsTest {
  protected:
   SurfaceViewerTest() : PanelsTest(1, {660, 600}) {}
 
-  SurfaceChoice& choice() { return rig.content().state().surfaces; }
+  SurfaceChoice& choice() { return rig.state().surfaces; }
   [[nodiscard]] bool shown() {
     return rig.frames_until(
         [&] { return rig.content().surfaces().picture() && !rig.content().surfaces().busy(); });
@@ -31,7 +31,7 @@ class SurfaceViewerTest : public PanelsTest {
   }
   [[nodiscard]] glm::u8vec3 middle() { return at(centre()); }
   [[nodiscard]] Hit seen(glm::ivec2 pixel) {
-    return rig.previewer().viewpoint().seen_at(pixel.x + 0.5, pixel.y + 0.5);
+    return rig.viewpoint().seen_at(pixel.x + 0.5, pixel.y + 0.5);
   }
 };
 
@@ -56,12 +56,11 @@ TEST_F(SurfaceViewerTest, KeysShowAPropertyAndThePictureAgain) {
 TEST_F(SurfaceViewerTest, LeavesTheGroundOut) {
   choice().property = SurfaceProperty::base_color;
   settings().ground = Ground::on;
-  ASSERT_TRUE(
-      rig.frames_until([&] { return ground_of(rig.previewer().scene()->world()) == Ground::on; }));
+  ASSERT_TRUE(rig.frames_until([&] { return ground_of(rig.scene()->world()) == Ground::on; }));
   ASSERT_TRUE(rig.settle());
   ASSERT_TRUE(shown());
   const SurfacePicture& surfaces = *rig.content().surfaces().picture();
-  const World& world = rig.previewer().scene()->world();
+  const World& world = rig.scene()->world();
   int on_ground = 0;
   for (int y = 0; y < surfaces.film.height; y += 7) {
     for (int x = 0; x < surfaces.film.width; x += 7) {
@@ -80,12 +79,12 @@ TEST_F(SurfaceViewerTest, FollowsTheCamera) {
   rig.frame();
   EXPECT_EQ(middle(), glm::u8vec3(255, 0, 0));
   const std::uint64_t before = rig.content().surfaces().revision();
-  rig.previewer().viewpoint().camera().orbit(2.8, 0.0);  // the grey one is in front now
+  rig.camera().orbit(2.8, 0.0);  // the grey one is in front now
   ASSERT_TRUE(rig.frames_until([&] {
     return rig.content().surfaces().revision() >= before + 3 && !rig.content().surfaces().busy();
   }));
   rig.frame();
-  const World& world = rig.previewer().scene()->world();
+  const World& world = rig.scene()->world();
   int surfaces = 0;
   for (int y = 5; y < rig.content().picture_rect().height; y += 45) {
     const Hit hit = seen({centre().x, y});
@@ -131,7 +130,7 @@ TEST_F(SurfaceViewerTest, NamesWhatIsUnderThePointer) {
   EXPECT_EQ(surface_names(rig.previewer(), corner).joined(), "");
   rig.move_to(glm::vec2(centre()) + 0.5f);
   rig.frame();
-  EXPECT_TRUE(rig.content().state().hovered);
+  EXPECT_TRUE(rig.state().hovered);
 }
 
 TEST_F(SurfaceViewerTest, TheListChoosesAProperty) {

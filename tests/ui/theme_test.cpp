@@ -153,12 +153,12 @@ TEST_F(ThemeTest, LightAndDarkAreChosenAndRemembered) {
     return glm::u8vec3((rgb >> 16) & 255u, (rgb >> 8) & 255u, rgb & 255u);
   };
   EXPECT_EQ(corner(), bytes(theme::Look::dark));
-  const auto picture = rig.previewer().render().restarts();
+  const auto picture = rig.render().restarts();
   rig.click("Theme/Light");
   for (int i = 0; i < 2; ++i) rig.frame();
   EXPECT_EQ(corner(), bytes(theme::Look::light));
   EXPECT_EQ(rig.content().stored_settings().look.theme, theme::Look::light);
-  EXPECT_EQ(rig.previewer().render().restarts(), picture);
+  EXPECT_EQ(rig.render().restarts(), picture);
   rig.click("Theme/Dark");
   for (int i = 0; i < 2; ++i) rig.frame();
   EXPECT_EQ(corner(), bytes(theme::Look::dark));
@@ -183,7 +183,7 @@ TEST_F(ThemeTest, HelpIsDrawnInTheLookOfTheWindow) {
   };
   rig.move_to({10.0f, 10.0f});
   EXPECT_GT(dark_share(), 0.8);
-  rig.content().state().look.theme = theme::Look::light;
+  rig.state().look.theme = theme::Look::light;
   for (int i = 0; i < 3; ++i) rig.frame();
   EXPECT_LT(dark_share(), 0.2);
 }

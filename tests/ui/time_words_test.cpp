@@ -36,9 +36,7 @@ TEST(TimeWords, SayWhoseSecondsTheyAre) {
 }
 
 TEST(TimeWords, AProgressNamesItsPassAndWhatIsLeft) {
-  ProgressFacts facts;
-  facts.fraction = 0.4;
-  facts.progress.seconds = 2.0;
+  ProgressFacts facts{.progress = {.seconds = 2.0}, .fraction = 0.4};
   EXPECT_EQ(progress_words(facts), "40 % done   2.0 s");
   facts.reached.pass = Reached::Pass::quarters;
   EXPECT_EQ(progress_words(facts), "40 % done   first samples   2.0 s");
@@ -62,8 +60,7 @@ TEST(TimeWords, AProgressNamesItsPassAndWhatIsLeft) {
 
 // Once the line said "1 s left" for 25 s at 42 %, and gave times before anything was measured.
 TEST(TimeWords, TheTimeLeftIsMeasuredAndFitsThePercentage) {
-  ProgressFacts facts;
-  facts.progress.seconds = 20.0;
+  ProgressFacts facts{.progress = {.seconds = 20.0}};
   EXPECT_FALSE(seconds_left(facts)) << "nothing was measured";
   facts.fraction = 0.4;
   EXPECT_FALSE(seconds_left(facts));
@@ -77,11 +74,8 @@ TEST(TimeWords, TheTimeLeftIsMeasuredAndFitsThePercentage) {
 
 // The row "Estimate" once said 8 s while the status line said 40 s.
 TEST(TimeEstimate, IsTheRendersOwnAsSoonAsItHasOne) {
-  Progress progress;
-  progress.running = true;
-  progress.seconds = 3.0;
-  Forecast forecast;
-  forecast.wait_seconds = 8.0;
+  Progress progress{.running = true, .seconds = 3.0};
+  Forecast forecast{.wait_seconds = 8.0};
   EXPECT_FALSE(time_estimate(progress, nullptr));
   ASSERT_TRUE(time_estimate(progress, &forecast));
   EXPECT_EQ(time_estimate(progress, &forecast)->all, 8.0);
@@ -99,8 +93,7 @@ TEST(TimeEstimate, IsTheRendersOwnAsSoonAsItHasOne) {
 // jumps.
 TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
   ShownProgress shown;
-  Progress progress;
-  progress.running = true;
+  Progress progress{.running = true};
   double now = 0.0, before = 0.0;
   shown.update(progress, std::nullopt, 1, now);
   EXPECT_EQ(shown.fraction(), 0.0);
@@ -130,19 +123,15 @@ TEST(ShownProgress, NeitherRestsNorFallsUntilTheRenderIsFinished) {
 
 // The window's rows contain these texts, for these times.
 TEST_F(TimeWordsTest, TheWindowShowsThem) {
-  rig.previewer().scene().open("point light");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "point light"; }));
-  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.opens("point light") && rig.settle());
   rig.unfold("Compare");
-  rig.click("With/Method");
-  rig.frame();
-  const auto& all = rig.content().controls().all();
-  const PreviewRender& render = rig.previewer().render();
+  rig.click_each({"With/Method"});
+  const auto& all = rig.controls();
+  const PreviewRender& render = rig.render();
   EXPECT_EQ(all.at("Progress").words, "Finished in " + duration_words(render.progress().seconds));
   EXPECT_EQ(all.at("CPU time").words, processor_words(processor_seconds(render.film())));
   rig.click("Render and compare");
-  const auto& stored = rig.content().state().frames.stored;
+  const auto& stored = rig.state().frames.stored;
   ASSERT_TRUE(rig.frames_until([&] { return !stored.empty(); }));
   EXPECT_NE(stored[0].summary.find(" s CPU ("), std::string::npos) << stored[0].summary;
   slide("EPS", 0.3f, 0.4f);

@@ -39,32 +39,34 @@ class Timeline : public testing::Test {
  protected:
   Timeline() {
     rig.set_pixel_size(3);
-    rig.previewer().edits().settings().asos.max_level = 1;
+    rig.settings().asos.max_level = 1;
     open("moving");
   }
   void open(const std::string& source) {
-    const std::uint64_t opened = rig.previewer().scene().times_opened();
-    rig.previewer().scene().open(source);
+    const std::uint64_t opened = rig.scene().times_opened();
+    rig.scene().open(source);
     EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));
     EXPECT_TRUE(rig.settle());
   }
-  OpenScene& scene() { return rig.previewer().scene(); }
+  OpenScene& scene() { return rig.scene(); }
   Playback& playback() { return rig.previewer().playback(); }
-  [[nodiscard]] bool has(const std::string& control) {
-    return rig.content().controls().all().contains(control);
-  }
+  [[nodiscard]] bool has(const std::string& control) { return rig.controls().contains(control); }
   /// Draws frames until the picture of the requested time is finished.
   void arrive() {
     EXPECT_TRUE(rig.frames_until([&] { return !playback().posing(); }));
     EXPECT_TRUE(rig.settle());
     EXPECT_EQ(scene()->geometry->time, playback().time());
   }
+  void seek(double seconds) {
+    playback().seek(seconds);
+    arrive();
+  }
   /// Position of the square's first corner, in the author's coordinates.
   double corner_x() {
     const World& world = scene()->world();
     return world.origin.x + static_cast<double>(world.parts.at(0).bounds.lo.x);
   }
-  std::vector<glm::vec3> picture() { return rig.previewer().render().film().radiance; }
+  std::vector<glm::vec3> picture() { return rig.film().radiance; }
 
   UiRig rig{[](const std::string& source) -> Result<Scene> {
               if (source == "lines") return with_rig(sliding_line());
@@ -115,8 +117,7 @@ TEST_F(Timeline, TheOnlyAnimationOfAFilePlaysWhenItIsOpened) {
 
 TEST_F(Timeline, ShowsTheMomentThatIsSoughtAndTheSameAgain) {
   const std::vector<glm::vec3> rest = picture();
-  playback().seek(0.5);
-  arrive();
+  seek(0.5);
   EXPECT_NEAR(corner_x(), 1.0, 1e-5);
   const std::vector<glm::vec3> half = picture();
   EXPECT_NE(half, rest);
@@ -125,8 +126,7 @@ TEST_F(Timeline, ShowsTheMomentThatIsSoughtAndTheSameAgain) {
   EXPECT_DOUBLE_EQ(playback().time()->seconds, 2.0);
   arrive();
   EXPECT_NEAR(corner_x(), 2.0, 1e-5);
-  playback().seek(0.5);
-  arrive();
+  seek(0.5);
   EXPECT_EQ(picture(), half) << "independently of other times before";
   playback().choose(-1);
   arrive();
@@ -137,7 +137,7 @@ TEST_F(Timeline, ShowsTheMomentThatIsSoughtAndTheSameAgain) {
 // The row is under the picture; in a small window its controls are in the panel.
 TEST_F(Timeline, StandsUnderThePictureAndPlaysBySpace) {
   for (int i = 0; i < 2; ++i) rig.frame();
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   const WindowLayout& layout = rig.content().layout();
   ASSERT_GT(layout.timeline.size.y, 0.0f);
   EXPECT_EQ(layout.timeline.lo.y, layout.picture.lo.y + layout.picture.size.y);
@@ -149,7 +149,7 @@ TEST_F(Timeline, StandsUnderThePictureAndPlaysBySpace) {
   EXPECT_FALSE(has("Play on picture")) << "it has been played";
   rig.key(Key::space);
   EXPECT_FALSE(playback().playing());
-  EXPECT_FALSE(rig.previewer().refinement().paused()) << "Space is the clip's";
+  EXPECT_FALSE(rig.refinement().paused()) << "Space is the clip's";
   arrive();
   ASSERT_TRUE(has("Time"));
   EXPECT_LT(all.at("Time").hi.x, layout.panel.lo.x);
@@ -160,7 +160,7 @@ TEST_F(Timeline, StandsUnderThePictureAndPlaysBySpace) {
   for (int i = 0; i < 2; ++i) rig.frame();
   EXPECT_EQ(layout.timeline.size.y, 0.0f);
   rig.key(Key::space);
-  EXPECT_TRUE(rig.previewer().refinement().paused());
+  EXPECT_TRUE(rig.refinement().paused());
 }
 
 TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
@@ -176,7 +176,7 @@ TEST_F(Timeline, PlaysAndRefinesWhenItPauses) {
   const double seconds = playback().time()->seconds;
   arrive();
   EXPECT_EQ(playback().time()->seconds, seconds);
-  EXPECT_TRUE(rig.previewer().render().progress().finished);
+  EXPECT_TRUE(rig.render().progress().finished);
   EXPECT_TRUE(rig.sleeps()) << "a paused window is idle";
 }
 
@@ -203,17 +203,14 @@ TEST_F(Timeline, LinesAreDrawnAtEveryMomentThatPlays) {
     return moments.size() >= 4;
   }));
   playback().set_playing(false);
-  playback().seek(1.0);
-  arrive();
+  seek(1.0);
   const std::vector<glm::vec3> sought = picture();
   EXPECT_NEAR(line_x(scene()->world()), 2.0, 0.05);
   // After the camera's animation was chosen, the first one gives the same picture again.
   playback().choose(1);
-  playback().seek(0.5);
-  arrive();
+  seek(0.5);
   playback().choose(0);
-  playback().seek(1.0);
-  arrive();
+  seek(1.0);
   EXPECT_TRUE(rig.frames_until([&] { return rig.settle() && picture() == sought; }));
 }
 
@@ -273,29 +270,25 @@ TEST_F(Timeline, StepsByWholeFrames) {
 
 TEST_F(Timeline, TheCameraThatIsLookedThroughMovesWithIt) {
   playback().choose(1);
-  playback().seek(0.5);
-  arrive();
+  seek(0.5);
   const auto eye_x = [&] {
-    return rig.previewer().viewpoint().camera().camera().world_from_camera[3].x +
-           scene()->world().origin.x;
+    return rig.camera().camera().world_from_camera[3].x + scene()->world().origin.x;
   };
   EXPECT_NEAR(eye_x(), 1.0, 1e-6);
-  EXPECT_FALSE(rig.previewer().viewpoint().left_chosen());
+  EXPECT_FALSE(rig.viewpoint().left_chosen());
   // A camera that the user has moved stays.
-  rig.previewer().viewpoint().frame_all();
+  rig.viewpoint().frame_all();
   const double there = eye_x();
-  playback().seek(1.0);
-  arrive();
+  seek(1.0);
   EXPECT_EQ(eye_x(), there);
 }
 
 TEST_F(Timeline, BlursMotionOfThePauseAndSavesIt) {
-  playback().seek(1.0);
-  arrive();
+  seek(1.0);
   const std::vector<glm::vec3> sharp = picture();
   EXPECT_FALSE(has("Shutter"));
   rig.click("Motion blur");
-  RenderSettings& settings = rig.previewer().edits().settings();
+  RenderSettings& settings = rig.settings();
   EXPECT_DOUBLE_EQ(settings.shutter.seconds, 0.5 / 24.0);
   EXPECT_TRUE(rig.control("Shutter").has_tooltip);
   settings.shutter.seconds = 0.5;
@@ -306,47 +299,44 @@ TEST_F(Timeline, BlursMotionOfThePauseAndSavesIt) {
   const std::vector<glm::vec3> blurred = picture();
   EXPECT_NE(blurred, sharp);
   EXPECT_TRUE(rig.sleeps());
-  const PictureDescription said = rig.previewer().render().description({});
+  const PictureDescription said = rig.render().description({});
   EXPECT_EQ(said.settings.shutter.seconds, 0.5);
 
   rig.click("Motion blur");
   EXPECT_TRUE(rig.settle());
   EXPECT_EQ(picture(), sharp);
   const TemporaryFolder folder;
-  ASSERT_TRUE(
-      write_png(folder.file("blur.png"), rig.previewer().render().film(), {}, picture_text(said)));
+  ASSERT_TRUE(write_png(folder.file("blur.png"), rig.film(), {}, picture_text(said)));
   open(folder.file("blur.png"));
   rig.frame();
   arrive();
-  EXPECT_EQ(rig.previewer().edits().settings().shutter.seconds, 0.5);
+  EXPECT_EQ(rig.settings().shutter.seconds, 0.5);
   EXPECT_EQ(picture(), blurred);
 }
 
 TEST_F(Timeline, BlursTheMotionOfTheCameraThatIsLookedThrough) {
   playback().choose(1);
-  playback().seek(0.5);
-  arrive();
-  rig.previewer().edits().settings().shutter.seconds = 0.5;
+  seek(0.5);
+  rig.settings().shutter.seconds = 0.5;
   rig.frame();
   arrive();
   ASSERT_TRUE(playback().exposure() && playback().exposure()->moves());
-  EXPECT_EQ(rig.previewer().render().settings().shutter.camera, 0);
+  EXPECT_EQ(rig.render().settings().shutter.camera, 0);
   // A camera moved by hand stands still.
-  rig.previewer().viewpoint().frame_all();
+  rig.viewpoint().frame_all();
   rig.frame();
   EXPECT_TRUE(rig.settle());
-  EXPECT_EQ(rig.previewer().render().settings().shutter.camera, -1);
+  EXPECT_EQ(rig.render().settings().shutter.camera, -1);
 }
 
 TEST_F(Timeline, EditsOfLightsLast) {
   ASSERT_EQ(scene()->lights().size(), 1u);
-  rig.previewer().edits().edit_lights().at(0).light.intensity = 7.0f;
+  rig.edits().edit_lights().at(0).light.intensity = 7.0f;
   EXPECT_TRUE(rig.settle());
   EXPECT_EQ(scene()->lights().at(0).intensity, 7.0f);
-  playback().seek(0.25);
-  arrive();
+  seek(0.25);
   EXPECT_EQ(scene()->lights().at(0).intensity, 7.0f);
-  rig.previewer().edits().reset_lights();
+  rig.edits().reset_lights();
   EXPECT_TRUE(rig.settle());
   EXPECT_EQ(scene()->lights().at(0).intensity, 30.0f);
 }
@@ -361,42 +351,36 @@ TEST_F(Timeline, WhatIsLeftMovesOnWhenSomethingIsHidden) {
   const double from = corner_x();
   ASSERT_TRUE(playback().available());
   for (const double seconds : {0.5, 1.0}) {
-    playback().seek(seconds);
-    arrive();
+    seek(seconds);
     EXPECT_EQ(scene()->world().parts.size(), 1u) << "it stays hidden";
     EXPECT_NEAR(corner_x(), from + 2.0 * seconds, 1e-6);
   }
 }
 
 TEST_F(Timeline, PicturesSayTheirMoment) {
-  EXPECT_FALSE(rig.previewer().render().description({}).time.has_value());
-  playback().seek(0.75);
-  arrive();
-  EXPECT_EQ(rig.previewer().render().description({}).time, (ClipTime{0, 0.75}));
+  EXPECT_FALSE(rig.render().description({}).time.has_value());
+  seek(0.75);
+  EXPECT_EQ(rig.render().description({}).time, (ClipTime{0, 0.75}));
 }
 
 TEST_F(Timeline, ASavedPictureBringsItsMomentBack) {
-  playback().seek(0.5);
-  arrive();
+  seek(0.5);
   const std::vector<glm::vec3> half = picture();
-  const PictureDescription said = rig.previewer().render().description({});
+  const PictureDescription said = rig.render().description({});
   const TemporaryFolder folder;
-  ASSERT_TRUE(
-      write_png(folder.file("half.png"), rig.previewer().render().film(), {}, picture_text(said)));
+  ASSERT_TRUE(write_png(folder.file("half.png"), rig.film(), {}, picture_text(said)));
   open("still");
   open(folder.file("half.png"));
   EXPECT_EQ(playback().time(), (ClipTime{0, 0.5}));
   arrive();
   EXPECT_NEAR(corner_x(), 1.0, 1e-5);
   EXPECT_EQ(picture(), half);
-  playback().seek(1.0);
-  arrive();
+  seek(1.0);
   EXPECT_NEAR(corner_x(), 2.0, 1e-5) << "it can be played on from there";
 }
 
 TEST_F(Timeline, ReloadingKeepsTheMoment) {
-  playback().seek(0.5);
-  arrive();
+  seek(0.5);
   const std::uint64_t opened = scene().times_opened();
   scene().reload();
   EXPECT_TRUE(rig.frames_until([&] { return scene().times_opened() > opened; }));

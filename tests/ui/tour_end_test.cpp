@@ -18,7 +18,7 @@ namespace {
 
 class TourEndTest : public PanelsTest {
  protected:
-  UiState& state() { return rig.content().state(); }
+  UiState& state() { return rig.state(); }
   void rest() {
     for (int i = 0; i < 40; ++i) rig.frame();
   }
@@ -37,7 +37,7 @@ class TourEndTest : public PanelsTest {
       rig.click("Next");
       for (int k = 0; k < 3; ++k) rig.frame();
     }
-    ASSERT_TRUE(rig.content().controls().all().contains(slider));
+    ASSERT_TRUE(rig.controls().contains(slider));
     const double before = settings().asos.eps;
     slide(slider, 0.6f, 0.05f);
     ASSERT_NE(settings().asos.eps, before);
@@ -60,7 +60,7 @@ TEST_F(TourEndTest, RestoresSettingsAndLeavesNothingToUndo) {
 
 TEST_F(TourEndTest, KeepsEditsAsOneStep) {
   const double eps = settings().asos.eps;
-  const glm::dmat4 camera = rig.previewer().viewpoint().camera().camera().world_from_camera;
+  const glm::dmat4 camera = rig.camera().camera().world_from_camera;
   edit_eps();
   rig.drag({100, 100}, {140, 110});
   rest();
@@ -69,9 +69,9 @@ TEST_F(TourEndTest, KeepsEditsAsOneStep) {
   rig.click("Close tour");
   rest();
   EXPECT_EQ(settings().asos.eps, eps);
-  EXPECT_NE(rig.previewer().viewpoint().camera().camera().world_from_camera, camera);
+  EXPECT_NE(rig.camera().camera().world_from_camera, camera);
   undo();
-  EXPECT_EQ(rig.previewer().viewpoint().camera().camera().world_from_camera, camera);
+  EXPECT_EQ(rig.camera().camera().world_from_camera, camera);
   EXPECT_EQ(settings().asos.eps, eps);
   undo();
   EXPECT_EQ(state().message, "Nothing to undo");
@@ -97,20 +97,17 @@ TEST_F(TourEndTest, UndoWithinTheTourKeepsTheCardsMap) {
 }
 
 TEST_F(TourEndTest, ReplaysOnlyOnceThereIsAPixel) {
-  rig.previewer().refinement().set_paused(true);
-  rig.previewer().viewpoint().camera().look_around(0.01, 0.0);
+  rig.refinement().set_paused(true);
+  rig.camera().look_around(0.01, 0.0);
   rig.frame();
-  rig.click("Tour");
-  rig.frame();
+  rig.click_each({"Tour"});
   show_card(state(), rig.previewer(), static_cast<int>(Tour::Card::split), 0.0);
   for (int i = 0; i < 3; ++i) rig.frame();
-  const auto shows = [&](const char* name) {
-    return rig.content().controls().all().contains(name);
-  };
+  const auto shows = [&](const char* name) { return rig.controls().contains(name); };
   ASSERT_TRUE(shows("Next"));
   EXPECT_FALSE(state().tour.pixel) << "no pixel is final";
   EXPECT_FALSE(shows("Replay"));
-  rig.previewer().refinement().set_paused(false);
+  rig.refinement().set_paused(false);
   ASSERT_TRUE(rig.frames_until([&] { return shows("Replay"); }));
   // The search in the finished picture may choose another pixel.
   ASSERT_TRUE(rig.frames_until([&] { return state().tour.found.has_value(); }));
@@ -124,7 +121,7 @@ TEST_F(TourEndTest, ReplaysOnlyOnceThereIsAPixel) {
 
 TEST_F(TourEndTest, ReopensTheScene) {
   const auto opened = [&](const std::string& source) {
-    return rig.frames_until([&] { return rig.previewer().scene()->geometry->source == source; });
+    return rig.frames_until([&] { return rig.scene()->geometry->source == source; });
   };
   rig.click("Tour");
   for (int i = 0; i < 3; ++i) rig.frame();
@@ -142,10 +139,9 @@ TEST_F(TourEndTest, AsksBeforeTheFenceSceneIsOpened) {
   for (int i = 0; i < 3; ++i) rig.frame();
   rig.click("Show on the fence scene");
   for (int i = 0; i < 3; ++i) rig.frame();
-  EXPECT_FALSE(rig.previewer().scene().loading().has_value());
-  rig.click("Cancel");
-  rig.frame();
-  EXPECT_EQ(rig.previewer().scene()->geometry->source, "scene");
+  EXPECT_FALSE(rig.scene().loading().has_value());
+  rig.click_each({"Cancel"});
+  EXPECT_EQ(rig.scene()->geometry->source, "scene");
 }
 
 // Dark on the left, bright from x = 10 on, and a black and white checkerboard at the top.
@@ -246,7 +242,7 @@ TEST(CardPlace, RestsOnceItsWidthsWereDrawn) {
 }
 
 Controls::Placed placed(UiRig& rig, const std::string& name) {
-  return rig.content().controls().all().at(name);
+  return rig.controls().at(name);
 }
 
 // Wherever the pixel is, the panel leaves room for the card: it shrinks rather than be covered.
@@ -285,7 +281,7 @@ std::vector<glm::ivec2> spread_pixels(const Film& film) {
 }
 
 void expect_card_touches_none(UiRig& rig, int card) {
-  const auto& all = rig.content().controls().all();
+  const auto& all = rig.controls();
   ASSERT_TRUE(all.contains("Card")) << card;
   const Controls::Placed at = placed(rig, "Card");
   for (const char* other : {"Pixel panel", "Map legend"}) {
@@ -308,25 +304,23 @@ TEST(TourCard, CoversNoOtherPanel) {
     SCOPED_TRACE(std::to_string(c.size.x) + " at " + std::to_string(c.scale));
     UiRig rig(LoadFunction{}, c.size, c.scale);
     rig.set_pixel_size(8);
-    rig.previewer().edits().settings().asos.max_level = 1;
-    rig.previewer().scene().open("builtin:fence");
-    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-    ASSERT_TRUE(rig.settle());
-    rig.content().state().tour_asked = true;
+    rig.settings().asos.max_level = 1;
+    ASSERT_TRUE(rig.opens("builtin:fence") && rig.settle());
+    rig.state().tour_asked = true;
     rig.frame();
     for (int card = 0; card < Tour::cards; ++card) {
-      show_card(rig.content().state(), rig.previewer(), card, 0.0);
+      show_card(rig.state(), rig.previewer(), card, 0.0);
       ASSERT_TRUE(rig.settle());
       ASSERT_TRUE(rig.sleeps()) << "the search for a pixel has ended";
       expect_card_touches_none(rig, card);
       if (card != static_cast<int>(Tour::Card::split)) continue;
-      for (const glm::ivec2 pixel : spread_pixels(rig.previewer().render().film())) {
+      for (const glm::ivec2 pixel : spread_pixels(rig.film())) {
         SCOPED_TRACE(std::to_string(pixel.x) + ' ' + std::to_string(pixel.y));
-        rig.content().state().picked = pixel;
+        rig.state().picked = pixel;
         rig.frame();
         ASSERT_TRUE(rig.sleeps()) << "the pixel's report has come";
         expect_card_touches_none(rig, card);
-        const auto& all = rig.content().controls().all();
+        const auto& all = rig.controls();
         ASSERT_TRUE(all.contains("Pixel panel") && all.contains("Subdivision"));
         EXPECT_LE(all.at("Subdivision").hi.y, all.at("Pixel panel").hi.y) << "all of the drawing";
         EXPECT_LE(all.at("Subdivision").hi.x, all.at("Pixel panel").hi.x);
@@ -339,18 +333,16 @@ TEST(TourCard, CoversNoOtherPanel) {
 TEST(TourCard, RestsForAnyPixel) {
   UiRig rig(LoadFunction{}, {1280, 800}, 2.0f);
   rig.set_pixel_size(8);
-  rig.previewer().edits().settings().asos.max_level = 1;
-  rig.previewer().scene().open("builtin:boxes");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-  ASSERT_TRUE(rig.settle());
-  rig.content().state().tour_asked = true;
+  rig.settings().asos.max_level = 1;
+  ASSERT_TRUE(rig.opens("builtin:boxes") && rig.settle());
+  rig.state().tour_asked = true;
   rig.frame();
-  show_card(rig.content().state(), rig.previewer(), 1, 0.0);
+  show_card(rig.state(), rig.previewer(), 1, 0.0);
   ASSERT_TRUE(rig.settle());
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   for (int y = 5; y < film.height; y += 20) {
     for (int x = 5; x < film.width; x += 20) {
-      rig.content().state().picked = glm::ivec2(x, y);
+      rig.state().picked = glm::ivec2(x, y);
       rig.frame();
       ASSERT_TRUE(rig.sleeps()) << "the pixel's report has come";
       const Controls::Placed at = placed(rig, "Card");

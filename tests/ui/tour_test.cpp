@@ -22,13 +22,10 @@ namespace {
 
 class TourTest : public PanelsTest {
  protected:
-  UiState& state() { return rig.content().state(); }
-  [[nodiscard]] bool has(const std::string& control) {
-    return rig.content().controls().all().contains(control);
-  }
+  UiState& state() { return rig.state(); }
+  [[nodiscard]] bool has(const std::string& control) { return rig.controls().contains(control); }
   void begin() {
-    rig.click("Tour");
-    rig.frame();
+    rig.click_each({"Tour"});
     ASSERT_TRUE(has("Next"));
   }
   // The card moves when a pixel is found, so a click may miss its button.
@@ -36,8 +33,7 @@ class TourTest : public PanelsTest {
     const auto before = state().tour.card;
     constexpr int tries = 20;
     for (int i = 0; i < tries && state().tour.card == before; ++i) {
-      rig.click("Next");
-      rig.frame();
+      rig.click_each({"Next"});
       rig.frame();
     }
   }
@@ -67,11 +63,10 @@ class TourOf {
  public:
   TourOf(const std::string& scene, int max_level) : rig(LoadFunction{}, {700, 300}) {
     rig.set_pixel_size(3);
-    rig.previewer().edits().settings().asos.max_level = max_level;
-    rig.previewer().scene().open(scene);
-    opened_ =
-        rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }) && rig.settle();
-    rig.content().state().tour_asked = true;
+    rig.settings().asos.max_level = max_level;
+    rig.scene().open(scene);
+    opened_ = rig.frames_until([&] { return rig.scene().get() != nullptr; }) && rig.settle();
+    rig.state().tour_asked = true;
     rig.frame();
   }
   [[nodiscard]] bool found() {
@@ -82,8 +77,8 @@ class TourOf {
   }
   /// Whether the time limit may have ended the search before it was complete.
   [[nodiscard]] bool cut_short() const { return took_ > 0.9 * SplitPixelSearch::longest; }
-  const UiState& state() { return rig.content().state(); }
-  const Film& film() { return rig.previewer().render().film(); }
+  const UiState& state() { return rig.state(); }
+  const Film& film() { return rig.film(); }
 
   UiRig rig;
 
@@ -107,7 +102,7 @@ TEST(TourOfAScene, WatchesAPixelThatIsSplit) {
     ASSERT_TRUE(tour.state().picked);
     EXPECT_EQ(tour.state().picked, tour.state().tour.found);
     const glm::ivec2 pixel = *tour.state().picked;
-    const Snapshot picture = tour.rig.previewer().render().snapshot();
+    const Snapshot picture = tour.rig.render().snapshot();
     const PixelTrace trace =
         trace_pixel(*picture.scene, view_of(picture), picture.settings, pixel.x, pixel.y);
     EXPECT_EQ(trace.cells.size() > 4, !tour.state().tour.none_split);
@@ -191,18 +186,17 @@ TEST_F(TourTest, NothingCoversTheWatchedPixelInANarrowWindow) {
   const glm::vec2 middle = at.lo + 0.5f * at.size;
   for (const char* name : {"Pixel panel", "Card"}) {
     ASSERT_TRUE(has(name));
-    const Controls::Placed over = rig.content().controls().all().at(name);
+    const Controls::Placed over = rig.controls().at(name);
     EXPECT_TRUE(middle.x < over.lo.x || middle.x > over.hi.x || middle.y < over.lo.y ||
                 middle.y > over.hi.y)
         << name << " covers " << middle.x << ' ' << middle.y;
   }
-  rig.click("Next");
-  rig.frame();
+  rig.click_each({"Next"});
   EXPECT_EQ(state().tour.card, Tour::Card::eps) << "its buttons are clicked, too";
 }
 
 TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
-  const std::uint64_t revision = rig.previewer().viewpoint().camera().revision();
+  const std::uint64_t revision = rig.camera().revision();
   begin();
   EXPECT_TRUE(has("Loupe")) << "pixels of the picture, large";
   ASSERT_TRUE(state().tour.pixel);
@@ -234,8 +228,7 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   next();
   rig.click("Map by/Cause");
   EXPECT_EQ(state().display.split_colours, SplitMapColours::cause);
-  rig.click("Previous");
-  rig.frame();
+  rig.click_each({"Previous"});
   EXPECT_TRUE(has("Tolerance (EPS)"));
   next();
 
@@ -249,8 +242,7 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   ASSERT_TRUE(rig.frames_until([&] { return state().frames.comparison == Comparison::wipe; }));
   EXPECT_EQ(state().frames.stored.size(), 2u);
   rig.frame();
-  rig.click("Done");
-  rig.frame();
+  rig.click_each({"Done"});
   EXPECT_FALSE(state().tour.card);
   ASSERT_EQ(state().frames.stored.size(), 1u)
       << "the rival's snapshot is gone, so quitting does not ask about it";
@@ -259,7 +251,7 @@ TEST_F(TourTest, EachCardActsOnThePictureAndTheEndPutsItBack) {
   EXPECT_FALSE(state().picked);
   EXPECT_EQ(state().display, DisplaySettings{});
   EXPECT_EQ(settings().asos.eps, eps) << "the slider's edit, too";
-  EXPECT_EQ(rig.previewer().viewpoint().camera().revision(), revision);
+  EXPECT_EQ(rig.camera().revision(), revision);
 }
 
 TEST_F(TourTest, IsNotSeenTwiceUnlessItIsAskedFor) {
@@ -276,8 +268,7 @@ TEST_F(TourTest, IsNotSeenTwiceUnlessItIsAskedFor) {
   StoredSettings stored;
   stored.tour_seen = true;
   rig.content().apply(stored);
-  rig.click("Reset/Window");
-  rig.frame();
+  rig.click_each({"Reset/Window"});
   EXPECT_TRUE(rig.content().stored_settings().tour_seen);
   begin();
 }
@@ -320,11 +311,9 @@ TEST_F(TourTest, FitsIntoAnyWindow) {
 TEST(TourInAWideWindow, NextStaysInItsPlace) {
   UiRig rig(LoadFunction{}, {1400, 900});
   rig.set_pixel_size(4);
-  rig.previewer().edits().settings().asos.max_level = 2;
-  rig.previewer().scene().open("builtin:boxes");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-  ASSERT_TRUE(rig.settle());
-  rig.content().state().tour_asked = true;
+  rig.settings().asos.max_level = 2;
+  ASSERT_TRUE(rig.opens("builtin:boxes") && rig.settle());
+  rig.state().tour_asked = true;
   glm::vec2 first(0.0f);
   for (int card = 0; card < Tour::cards; ++card) {
     ASSERT_TRUE(rig.settle());
@@ -342,11 +331,9 @@ TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
   for (const float scale : {1.0f, 2.0f}) {
     UiRig rig(LoadFunction{}, {420, 760}, scale);
     rig.set_pixel_size(3);
-    rig.previewer().edits().settings().asos.max_level = 1;
-    rig.previewer().scene().open("builtin:boxes");
-    ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().get() != nullptr; }));
-    ASSERT_TRUE(rig.settle());
-    rig.content().state().tour_asked = true;
+    rig.settings().asos.max_level = 1;
+    ASSERT_TRUE(rig.opens("builtin:boxes") && rig.settle());
+    rig.state().tour_asked = true;
     for (int card = 0; card < Tour::cards; ++card) {
       for (int i = 0; i < 4; ++i) rig.frame();
       const Controls::Placed placed = rig.control("Card");
@@ -363,12 +350,9 @@ TEST(TourInANarrowWindow, EveryCardLiesWithinThePicture) {
 }
 
 TEST_F(TourTest, EverySectionSaysWhatItIsFor) {
-  rig.previewer().scene().open("mirrors");
-  ASSERT_TRUE(
-      rig.frames_until([&] { return rig.previewer().scene()->geometry->source == "mirrors"; }));
-  ASSERT_TRUE(rig.settle());
+  ASSERT_TRUE(rig.opens("mirrors") && rig.settle());
   std::vector<std::string> sections;
-  for (const auto& [name, placed] : rig.content().controls().all())
+  for (const auto& [name, placed] : rig.controls())
     if (name.starts_with("section/")) sections.push_back(name.substr(8));
   EXPECT_GE(sections.size(), 14u);
   for (const std::string& section : sections) {
@@ -388,7 +372,7 @@ TEST_F(TourTest, TheMapsButtonExplainsAPixel) {
   rig.frame();
   rig.frame();
   rig.click("Why is this pixel like this?");
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   ASSERT_TRUE(state().picked);
   EXPECT_EQ(state().picked, most_split_pixel(film));
   ASSERT_TRUE(rig.frames_until([&] { return has("Verdict"); }));

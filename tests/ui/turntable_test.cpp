@@ -76,15 +76,15 @@ TEST(Turntable, ItsTimesAreWithinTheirRange) {
 using TurntableInTheWindow = test::PanelsTest;
 
 TEST_F(TurntableInTheWindow, TurnsByKeyOrSwitchUntilTheCameraIsDragged) {
-  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  const OrbitCamera& camera = rig.camera();
   Turntable& turntable = rig.previewer().turntable();
   const double start = azimuth_rad(camera);
   const glm::dvec3 pivot = camera.pivot();
-  EXPECT_FALSE(rig.content().controls().all().contains("Turn time"));
+  EXPECT_FALSE(rig.controls().contains("Turn time"));
   rig.key(Key::t);
   EXPECT_TRUE(turntable.turning());
   EXPECT_TRUE(rig.frames_until([&] { return std::abs(azimuth_rad(camera) - start) > 0.2; }));
-  EXPECT_TRUE(rig.content().controls().all().contains("Turn time"));
+  EXPECT_TRUE(rig.controls().contains("Turn time"));
   EXPECT_LT(glm::distance(camera.pivot(), pivot), 1e-12);
   // A window that sleeps between frames continues by itself.
   const double here = azimuth_rad(camera);
@@ -102,7 +102,7 @@ TEST_F(TurntableInTheWindow, TurnsByKeyOrSwitchUntilTheCameraIsDragged) {
 
 // A turn is one undo step, however long it was.
 TEST_F(TurntableInTheWindow, IsUndoneAsAWhole) {
-  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
+  const OrbitCamera& camera = rig.camera();
   const double start = azimuth_rad(camera);
   rig.key(Key::t);
   EXPECT_TRUE(rig.frames_until([&] { return std::abs(azimuth_rad(camera) - start) > 0.2; }));
@@ -114,17 +114,17 @@ TEST_F(TurntableInTheWindow, IsUndoneAsAWhole) {
 
 // A wide scene that fills the picture from its end is also inside it from its side.
 TEST_F(TurntableInTheWindow, MakesRoomWhereEverythingIsFramed) {
-  const OrbitCamera& camera = rig.previewer().viewpoint().camera();
-  rig.previewer().viewpoint().camera().orbit(pi / 2.0, 0.0);
-  rig.previewer().viewpoint().frame_all();
+  const OrbitCamera& camera = rig.camera();
+  rig.camera().orbit(pi / 2.0, 0.0);
+  rig.viewpoint().frame_all();
   const double framed = camera.distance();
   rig.key(Key::t);
   rig.frame();
   EXPECT_GT(camera.distance(), 1.2 * framed);
   rig.key(Key::t);
   // A distance that the user changed stays.
-  rig.previewer().viewpoint().frame_all();
-  rig.previewer().viewpoint().camera().dolly(0.5);
+  rig.viewpoint().frame_all();
+  rig.camera().dolly(0.5);
   const double near = camera.distance();
   rig.key(Key::t);
   rig.frame();

@@ -27,10 +27,7 @@ T value_or_throw(Result<T> result) {
 }
 
 RenderSettings small_settings() {
-  RenderSettings settings;
-  settings.asos.max_level = 2;
-  settings.threads = 1;
-  return settings;
+  return {.asos = {.max_level = 2}, .threads = 1};
 }
 
 // A test waits for the render's thread, and laying out a frame takes about a millisecond. Pauses
@@ -113,6 +110,13 @@ bool UiRig::sleeps(double limit_seconds) {
     pause_for_other_threads(previewer_->render().progress().running);
   }
   return false;
+}
+
+bool UiRig::opens(const std::string& source) {
+  const std::uint64_t before = scene().times_opened();
+  scene().open(source);
+  return frames_until([&] { return scene().times_opened() > before || scene().error(); }) &&
+         !scene().error();
 }
 
 bool UiRig::settle() {
@@ -273,6 +277,13 @@ void UiRig::click(const std::string& name) {
   }
   press(MouseButton::left);
   release(MouseButton::left);
+}
+
+void UiRig::click_each(std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    click(name);
+    frame();
+  }
 }
 
 void UiRig::unfold(const std::string& section) {

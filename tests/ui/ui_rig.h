@@ -11,6 +11,8 @@
 
 #include <atomic>
 #include <functional>
+#include <initializer_list>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,6 +40,20 @@ class UiRig {
 
   Previewer& previewer() { return *previewer_; }
   WindowContent& content() { return *content_; }
+  UiState& state() { return content_->state(); }
+  InputQueue& input() { return content_->input(); }
+  const std::map<std::string, Controls::Placed>& controls() { return content_->controls().all(); }
+  OpenScene& scene() { return previewer_->scene(); }
+  SceneEdits& edits() { return previewer_->edits(); }
+  RenderSettings& settings() { return previewer_->edits().settings(); }
+  Refinement& refinement() { return previewer_->refinement(); }
+  Viewpoint& viewpoint() { return previewer_->viewpoint(); }
+  OrbitCamera& camera() { return previewer_->viewpoint().camera(); }
+  PreviewRender& render() { return previewer_->render(); }
+  const Film& film() { return previewer_->render().film(); }
+
+  /// Opens a scene and draws frames until it is shown; returns false if it cannot be opened.
+  [[nodiscard]] bool opens(const std::string& source);
 
   void frame();
   /// Draws a frame at this time of the rig's clock, which never goes back.
@@ -66,6 +82,8 @@ class UiRig {
   /// a user.
   Controls::Placed control(const std::string& name);
   void click(const std::string& name);
+  /// Clicks controls one after the other, and draws a frame after each.
+  void click_each(std::initializer_list<const char*> names);
   /// Opens a section of the panel if it is folded.
   void unfold(const std::string& section);
 

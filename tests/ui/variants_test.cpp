@@ -56,12 +56,12 @@ TEST_F(Variants, StayWhereTheFileIsLoadedAgain) {
 
 TEST_F(Variants, ComeBackWithSavedPictures) {
   choose("Dusk\\n");
-  const PictureDescription said = rig.previewer().render().description({});
+  const PictureDescription said = rig.render().description({});
   EXPECT_EQ(said.variant, "Dusk\n");
   const std::string picture = folder_.file("dusk.png");
-  ASSERT_TRUE(write_png(picture, rig.previewer().render().film(), {}, picture_text(said)));
+  ASSERT_TRUE(write_png(picture, rig.film(), {}, picture_text(said)));
   open("builtin:boxes");
-  EXPECT_FALSE(rig.content().controls().all().contains("Variant"));
+  EXPECT_FALSE(rig.controls().contains("Variant"));
   open(picture);
   EXPECT_EQ(material(), "green");
 }

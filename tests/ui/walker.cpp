@@ -30,9 +30,7 @@ Result<Scene> load_some(const SceneSource& asked) {
   }
   if (source.find("empty") != std::string::npos) scene.instances.clear();
   if (source.find("lit") != std::string::npos) {
-    Light light;
-    light.position = {0, 1, 2};
-    light.radius = 0.2;
+    Light light{.position = {0, 1, 2}, .radius = 0.2};
     scene.lights.assign(2, light);
     scene.lights[1].type = Light::Type::directional;
   }

@@ -29,12 +29,7 @@ struct Session {
     window.seconds_per_frame = 0.02;  // slower than the frame interval
     window.give_up = [this] { content->state().leaving.quit = true; };
   }
-  static RenderSettings small_settings() {
-    RenderSettings settings;
-    settings.asos.max_level = 2;
-    settings.threads = 2;
-    return settings;
-  }
+  static RenderSettings small_settings() { return {.asos = {.max_level = 2}, .threads = 2}; }
   void run() {
     WindowLoop(window, previewer, *content, {woken, [this] { return window.now_seconds(); }}).run();
   }

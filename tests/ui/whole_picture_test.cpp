@@ -16,14 +16,12 @@ namespace {
 
 /// A camera between a red wall and a green one.
 Result<Scene> two_walls(const std::string& source) {
-  Scene scene;
-  scene.source = source;
+  Scene scene{.source = source};
   constexpr float far = 300.0f;
   for (const float z : {-5.0f, 5.0f})
     test::add_triangle(scene, {-far, -far, z}, {far, -far, z}, {0, far, z},
                        z < 0.0f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0));
-  Camera camera;
-  camera.fov_y_rad = 0.7;
+  Camera camera{.fov_y_rad = 0.7};
   scene.cameras = {camera};
   return scene;
 }
@@ -33,8 +31,7 @@ bool red(glm::vec3 colour) {
 }
 
 TEST(WholePicture, IsOfOnePoseWhileTheCameraTurns) {
-  RenderSettings settings;
-  settings.threads = 1;
+  RenderSettings settings{.threads = 1};
   Previewer previewer{{two_walls, {}}, settings};
   double now = 0.0;
   previewer.viewpoint().set_picture_size(480, 300, now);
@@ -67,8 +64,7 @@ TEST(WholePicture, IsOfOnePoseWhileTheCameraTurns) {
 
 // The first pass may take longer than a frame of the clock: its tiles wait for each other.
 TEST(WholePicture, IsHeldWhileTheFirstPassRuns) {
-  RenderSettings settings;
-  settings.threads = 1;
+  RenderSettings settings{.threads = 1};
   Previewer previewer{{two_walls, {}}, settings};
   double now = 0.0;
   previewer.viewpoint().set_picture_size(1600, 1000, now);

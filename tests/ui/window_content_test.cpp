@@ -31,19 +31,13 @@ Result<Scene> load(const std::string& source) {
 
 class WindowContentTest : public testing::Test {
  protected:
-  void open(const std::string& source) {
-    rig.previewer().scene().open(source);
-    ASSERT_TRUE(rig.frames_until([&] {
-      return rig.previewer().scene() && rig.previewer().scene()->geometry->source == source;
-    }));
-    ASSERT_TRUE(rig.settle());
-  }
+  void open(const std::string& source) { ASSERT_TRUE(rig.opens(source) && rig.settle()); }
 
   /// Compares the picture's area with `expected` of film pixels, one to one.
   template <typename Expected>
   void expect_area(const Expected& expected) {
     const PixelRect area = rig.content().picture_rect();
-    const Film& film = rig.previewer().render().film();
+    const Film& film = rig.film();
     ASSERT_EQ(film.width, area.width);
     ASSERT_EQ(film.height, area.height);
     const std::vector<glm::u8vec3> pixels = rig.pixels();
@@ -74,8 +68,8 @@ TEST_F(WindowContentTest, ShowsTheFilmPixelForPixel) {
 // (0.8, 0.1, 0.1) is displayed unchanged, for any curve and exposure.
 TEST_F(WindowContentTest, ShowsUnlitSurfacesAsTheyAre) {
   open("red");
-  DisplaySettings& display = rig.content().state().display;
-  const Film& film = rig.previewer().render().film();
+  DisplaySettings& display = rig.state().display;
+  const Film& film = rig.film();
   const std::size_t centre = film.index(film.width / 2, film.height / 2);
   const auto at = static_cast<std::size_t>(film.height / 2 * rig.size().x + film.width / 2);
   EXPECT_EQ(film.unlit.at(centre).w, 1.0f);
@@ -92,32 +86,32 @@ TEST_F(WindowContentTest, ShowsUnlitSurfacesAsTheyAre) {
 
 TEST_F(WindowContentTest, ExposureChangesPixelsButRestartsNothing) {
   open("red");
-  const std::uint64_t restarts = rig.previewer().render().restarts();
+  const std::uint64_t restarts = rig.render().restarts();
   const std::vector<glm::u8vec3> before = rig.pixels();
-  rig.content().state().display.exposure_ev = -1.5f;
+  rig.state().display.exposure_ev = -1.5f;
   rig.frame();
   EXPECT_NE(rig.pixels(), before);
   expect_area([](const Film& film, std::size_t i) {
     return display_bytes(film, i, {-1.5f, usual_display.tone});
   });
-  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+  EXPECT_EQ(rig.render().restarts(), restarts);
 }
 
 TEST_F(WindowContentTest, TheGridIsDrawnOverThePictureAndRestartsNothing) {
   open("red");
-  const std::uint64_t restarts = rig.previewer().render().restarts();
+  const std::uint64_t restarts = rig.render().restarts();
   const std::vector<glm::u8vec3> before = rig.pixels();
-  rig.content().state().display.show_grid = true;
+  rig.state().display.show_grid = true;
   rig.frame();
   const std::vector<glm::u8vec3> with = rig.pixels();
   std::size_t changed = 0;
   for (std::size_t i = 0; i < with.size(); ++i) changed += with[i] != before[i];
   EXPECT_GT(changed, with.size() / 200);
   EXPECT_LT(changed, with.size() / 2);
-  rig.content().state().display.show_grid = false;
+  rig.state().display.show_grid = false;
   rig.frame();
   EXPECT_EQ(rig.pixels(), before);
-  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+  EXPECT_EQ(rig.render().restarts(), restarts);
 }
 
 TEST(GridStep, IsRoundAndFitsTheScene) {
@@ -137,9 +131,9 @@ TEST(GridStep, IsRoundAndFitsTheScene) {
 // Transparent areas show a checkerboard, in the window only.
 TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
   open("red");
-  rig.previewer().edits().settings().background.kind = BackgroundKind::transparent;
+  rig.settings().background.kind = BackgroundKind::transparent;
   ASSERT_TRUE(rig.settle());
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   ASSERT_EQ(film.coverage.size(), film.radiance.size());
   EXPECT_EQ(film.coverage[film.index(1, 1)], 0.0f);
   EXPECT_EQ(film.coverage[film.index(film.width / 2, film.height / 2)], 1.0f);
@@ -154,11 +148,11 @@ TEST_F(WindowContentTest, ATransparentBackgroundIsChequered) {
 // Each curve changes the displayed bytes; the exposure applies before the curve. The method takes
 // the same samples for all curves.
 TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
-  rig.previewer().edits().settings().method = Method::sobol;
+  rig.settings().method = Method::sobol;
   open("red");
-  DisplaySettings& display = rig.content().state().display;
-  const Film& film = rig.previewer().render().film();
-  const std::uint64_t restarts = rig.previewer().render().restarts();
+  DisplaySettings& display = rig.state().display;
+  const Film& film = rig.film();
+  const std::uint64_t restarts = rig.render().restarts();
   for (const float ev : {0.0f, 1.0f}) {
     for (const NamedTone& tone : tone_names) {
       display.exposure_ev = ev;
@@ -171,36 +165,36 @@ TEST_F(WindowContentTest, ToneCurvesChangePixelsButRestartNothing) {
             << tone.name << " " << ev;
     }
   }
-  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+  EXPECT_EQ(rig.render().restarts(), restarts);
 }
 
 // EPS limits the error after the tone curve and ignores the exposure, so only a new curve restarts
 // the render.
 TEST_F(WindowContentTest, AMethodThatJudgesWhatShowsRendersEachCurveAnew) {
   open("red");
-  DisplaySettings& display = rig.content().state().display;
+  DisplaySettings& display = rig.state().display;
   for (const Method method : {Method::asos, Method::sobol_adaptive}) {
-    rig.previewer().edits().settings().method = method;
+    rig.settings().method = method;
     ASSERT_TRUE(rig.settle());
     for (const ToneCurve curve : {ToneCurve::agx, ToneCurve::none, ToneCurve::neutral}) {
-      const std::uint64_t restarts = rig.previewer().render().restarts();
+      const std::uint64_t restarts = rig.render().restarts();
       display.tone = curve;
       ASSERT_TRUE(rig.settle());
-      EXPECT_EQ(rig.previewer().render().restarts(), restarts + 1);
-      EXPECT_EQ(rig.previewer().render().settings().judged_tone, curve);
+      EXPECT_EQ(rig.render().restarts(), restarts + 1);
+      EXPECT_EQ(rig.render().settings().judged_tone, curve);
       display.exposure_ev = 1.0f - display.exposure_ev;
       ASSERT_TRUE(rig.settle());
-      EXPECT_EQ(rig.previewer().render().restarts(), restarts + 1);
+      EXPECT_EQ(rig.render().restarts(), restarts + 1);
     }
   }
 }
 
 TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
   open("red");
-  const std::uint64_t restarts = rig.previewer().render().restarts();
-  rig.content().state().display.show_split_map = true;
-  rig.content().state().display.show_legend = false;
-  rig.content().state().display.split_dimming = 1.0f;
+  const std::uint64_t restarts = rig.render().restarts();
+  rig.state().display.show_split_map = true;
+  rig.state().display.show_legend = false;
+  rig.state().display.split_dimming = 1.0f;
   rig.frame();
   int split = 0;
   expect_area([&](const Film& film, std::size_t i) {
@@ -208,17 +202,17 @@ TEST_F(WindowContentTest, TheSplitMapHidesThePictureAtFullDimming) {
     return SplitMapKey{}.colour(SplitMapKey{}.value(film, i));
   });
   EXPECT_GT(split, 0) << "the scene has to have split pixels for this to say anything";
-  EXPECT_EQ(rig.previewer().render().restarts(), restarts);
+  EXPECT_EQ(rig.render().restarts(), restarts);
 }
 
 TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
   open("red");
-  rig.content().state().display.show_split_map = true;
-  rig.content().state().display.show_legend = false;
-  rig.content().state().display.split_dimming = 0.25f;
+  rig.state().display.show_split_map = true;
+  rig.state().display.show_legend = false;
+  rig.state().display.split_dimming = 0.25f;
   rig.frame();
   const PixelRect area = rig.content().picture_rect();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   const std::vector<glm::u8vec3> pixels = rig.pixels();
   int split = 0;
   for (int y = 0; y < area.height; ++y) {
@@ -242,14 +236,14 @@ TEST_F(WindowContentTest, TheSplitMapDimsOnlyWhatIsNotSplit) {
 TEST_F(WindowContentTest, ZoomedPixelsAreSquares) {
   open("red");
   const glm::vec2 pointer(200.0f, 150.0f);
-  rig.content().input().add(KeyChanged{Key::ctrl, true});
+  rig.input().add(KeyChanged{Key::ctrl, true});
   for (int i = 0; i < 5; ++i) rig.wheel(pointer, 1.0f);
-  rig.content().input().add(KeyChanged{Key::ctrl, false});
+  rig.input().add(KeyChanged{Key::ctrl, false});
   rig.frame();
-  const PictureView& view = rig.content().state().view;
+  const PictureView& view = rig.state().view;
   ASSERT_EQ(view.zoom(), 8);
   const PixelRect area = rig.content().picture_rect();
-  const Film& film = rig.previewer().render().film();
+  const Film& film = rig.film();
   const std::vector<glm::u8vec3> pixels = rig.pixels();
   for (int y = 0; y < area.height; ++y) {
     for (int x = 0; x < area.width; ++x) {
@@ -261,7 +255,7 @@ TEST_F(WindowContentTest, ZoomedPixelsAreSquares) {
           << x << ' ' << y;
     }
   }
-  EXPECT_EQ(rig.previewer().render().restarts(), 1u) << "zoom is display only";
+  EXPECT_EQ(rig.render().restarts(), 1u) << "zoom is display only";
 }
 
 TEST_F(WindowContentTest, ResizingToNothingAndBackKeepsThePicture) {
@@ -270,7 +264,7 @@ TEST_F(WindowContentTest, ResizingToNothingAndBackKeepsThePicture) {
   for (int i = 0; i < 20; ++i) rig.frame();
   rig.resize({640, 400});
   ASSERT_TRUE(rig.settle());
-  EXPECT_EQ(rig.previewer().render().restarts(), 1u);
+  EXPECT_EQ(rig.render().restarts(), 1u);
   expect_area(
       [](const Film& film, std::size_t i) { return display_bytes(film, i, usual_display); });
 }
@@ -294,7 +288,7 @@ TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
   open("red");
   rig.resize({900, 500});
   ASSERT_TRUE(rig.settle());
-  EXPECT_EQ(rig.previewer().render().restarts(), 2u);
+  EXPECT_EQ(rig.render().restarts(), 2u);
   expect_area(
       [](const Film& film, std::size_t i) { return display_bytes(film, i, usual_display); });
 }
@@ -302,12 +296,12 @@ TEST_F(WindowContentTest, TheRenderFollowsTheWindowsSize) {
 TEST_F(WindowContentTest, AnErrorIsShownAndTheOldSceneStays) {
   open("red");
   const std::vector<glm::u8vec3> before = rig.pixels();
-  rig.previewer().scene().open("/no/such.glb");
-  ASSERT_TRUE(rig.frames_until([&] { return rig.previewer().scene().error().has_value(); }));
+  rig.scene().open("/no/such.glb");
+  ASSERT_TRUE(rig.frames_until([&] { return rig.scene().error().has_value(); }));
   rig.frame();
   rig.frame();
   EXPECT_NE(rig.pixels(), before) << "the message covers part of the picture";
-  EXPECT_EQ(rig.previewer().scene()->geometry->source, "red");
+  EXPECT_EQ(rig.scene()->geometry->source, "red");
 
   static std::string copied;
   copied.clear();
@@ -315,7 +309,7 @@ TEST_F(WindowContentTest, AnErrorIsShownAndTheOldSceneStays) {
   rig.click("Copy");
   EXPECT_EQ(copied, "/no/such.glb: there is no such file");
   rig.click("Close");
-  EXPECT_FALSE(rig.previewer().scene().error().has_value());
+  EXPECT_FALSE(rig.scene().error().has_value());
   rig.move_to({-10.0f, -10.0f});
   rig.frame();
   EXPECT_EQ(rig.pixels(), before);
@@ -325,7 +319,7 @@ TEST_F(WindowContentTest, AnIdleWindowAsksForNoFrames) {
   open("red");
   for (int i = 0; i < 5; ++i) rig.frame();
   EXPECT_FALSE(rig.content().seconds_to_redraw().has_value());
-  rig.content().input().add(MouseMoved{{100.0f, 100.0f}});
+  rig.input().add(MouseMoved{{100.0f, 100.0f}});
   EXPECT_EQ(rig.content().seconds_to_redraw(), 0.0);
   for (int i = 0; i < 5; ++i) rig.frame();
   EXPECT_FALSE(rig.content().seconds_to_redraw().has_value());
@@ -369,14 +363,14 @@ TEST(WindowContentReplace, AnotherSceneWhileOneLoads) {
     }
     return two_triangles(source == "slow" ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0), source);
   });
-  rig.previewer().scene().open("slow");
+  rig.scene().open("slow");
   ASSERT_TRUE(rig.frames_until([&] { return begun.load(); }));
   for (int i = 0; i < 3; ++i) rig.frame();
-  rig.previewer().scene().open("fast");
+  rig.scene().open("fast");
   for (int i = 0; i < 3; ++i) rig.frame();
   released = true;
   ASSERT_TRUE(rig.settle());
-  EXPECT_EQ(rig.previewer().scene()->geometry->source, "fast");
+  EXPECT_EQ(rig.scene()->geometry->source, "fast");
   const PixelRect area = rig.content().picture_rect();
   const auto middle = static_cast<std::size_t>(area.height / 2 * 640 + area.width / 2);
   EXPECT_EQ(rig.pixels()[middle], glm::u8vec3(0, 255, 0)) << "unlit, as it is";

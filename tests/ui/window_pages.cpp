@@ -43,12 +43,12 @@ class Pages {
   };
   void add(const Page& page) {
     UiRig rig(LoadFunction{}, page.size, page.scale, UiRig::Skies::usual);
-    RenderSettings& settings = rig.previewer().edits().settings();
+    RenderSettings& settings = rig.settings();
     settings = {};
     settings.threads = 2;
     settings.asos.max_level = coarse_ ? 0 : page.max_level;
     if (coarse_) settings.asos.leaf = LeafKind::point;
-    rig.previewer().scene().open(page.source);
+    rig.scene().open(page.source);
     wait(rig, page.source);
     if (page.use) page.use(rig);
     wait(rig, page.source);
@@ -69,8 +69,8 @@ class Pages {
   static void wait(UiRig& rig, const std::string& source) {
     if (!rig.frames_until(
             [&] {
-              return rig.previewer().scene() && !rig.previewer().scene().loading() &&
-                     rig.previewer().render().progress().finished && rig.content().input().empty();
+              return rig.scene() && !rig.scene().loading() && rig.render().progress().finished &&
+                     rig.input().empty();
             },
             300.0))
       throw std::runtime_error(source + " is not shown");
@@ -99,13 +99,13 @@ class Pages {
 };
 
 void card(UiRig& rig, int number) {
-  rig.content().state().tour_asked = true;
+  rig.state().tour_asked = true;
   rig.frame();
   // The first card has chosen its pixel, and maybe a better one; some pictures have none.
-  (void)rig.frames_until([&] { return rig.content().state().tour.found.has_value(); }, 5.0);
-  show_card(rig.content().state(), rig.previewer(), number, 0.0);
+  (void)rig.frames_until([&] { return rig.state().tour.found.has_value(); }, 5.0);
+  show_card(rig.state(), rig.previewer(), number, 0.0);
   // Waits until the pixel's splitting is shown completely.
-  for (int i = 0; i < 300 && rig.content().state().shown_level; ++i) rig.frame();
+  for (int i = 0; i < 300 && rig.state().shown_level; ++i) rig.frame();
 }
 
 void own_pages(Pages& pages, const std::string& source) {
@@ -113,7 +113,7 @@ void own_pages(Pages& pages, const std::string& source) {
       {"first-start", "First start", source, {1283, 600}, 1.0f, [](UiRig& rig) { card(rig, 0); }});
   pages.add({"dark", "Dark", source, {1283, 900}, 1.0f, {}});
   pages.add({"light", "Light", source, {1283, 900}, 1.0f, [](UiRig& rig) {
-               rig.content().state().look.theme = theme::Look::light;
+               rig.state().look.theme = theme::Look::light;
              }});
   pages.add({"double", "On a screen of 200 %", source, {1800, 1200}, 2.0f, {}});
   pages.add({"narrow", "420 pixels wide", source, {420, 760}, 1.0f, {}});
@@ -148,28 +148,27 @@ void more_pages(Pages& pages, const std::string& source) {
              "builtin:boxes",
              {1283, 600},
              1.0f,
-             [](UiRig& rig) { rig.content().state().display.show_grid = true; }});
+             [](UiRig& rig) { rig.state().display.show_grid = true; }});
   for (const auto look : {theme::Look::dark, theme::Look::light}) {
     const std::string name = look == theme::Look::dark ? "dark" : "light";
     pages.add(
         {"why-" + name, "The split map's answer", source, {1283, 800}, 1.0f, [look](UiRig& rig) {
-           rig.content().state().look.theme = look;
+           rig.state().look.theme = look;
            rig.key(Key::m);
            rig.key(Key::c);
            for (int i = 0; i < 3; ++i) rig.frame();
            rig.click("Why is this pixel like this?");
-           if (!rig.frames_until(
-                   [&] { return rig.content().controls().all().contains("Verdict"); }))
+           if (!rig.frames_until([&] { return rig.controls().contains("Verdict"); }))
              throw std::runtime_error("the pixel is not explained");
          }});
     pages.add({"help-" + name, "A section's help", source, {1283, 600}, 1.0f, [look](UiRig& rig) {
-                 rig.content().state().look.theme = look;
+                 rig.state().look.theme = look;
                  for (int i = 0; i < 3; ++i) rig.frame();
                  rig.click("Help/Antialiasing");
                }});
     pages.add(
         {"panel-" + name, "The whole panel", source, {760, 3000}, 1.0f, [look](UiRig& rig) {
-           rig.content().state().look.theme = look;
+           rig.state().look.theme = look;
            for (int i = 0; i < 3; ++i) rig.frame();
            for (const char* section : {"section/Refinement", "section/Sky", "section/Compare"})
              rig.click(section);
@@ -183,7 +182,7 @@ void write_manual_picture(const std::string& folder) {
   Pages::Page page{"window", "The window", "builtin:office", {1280, 720}, 1.0f, [](UiRig& rig) {
                      rig.key(Key::s);
                      rig.frame();
-                     UiState& state = rig.content().state();
+                     UiState& state = rig.state();
                      state.frames.comparison = Comparison::wipe;
                      state.display.show_split_map = true;
                      state.message.clear();

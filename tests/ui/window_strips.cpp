@@ -71,14 +71,14 @@ class Recorder {
  public:
   explicit Recorder(const std::string& source)
       : rig_(LoadFunction{}, window_size, 1.0f, UiRig::Skies::usual) {
-    rig_.previewer().edits().settings() = {};
-    rig_.content().state().show_panel = false;
-    rig_.content().state().display.show_legend = false;
-    rig_.previewer().scene().open(source);
+    rig_.settings() = {};
+    rig_.state().show_panel = false;
+    rig_.state().display.show_legend = false;
+    rig_.scene().open(source);
     wait(900.0, [&] { return finished(); });
     if (!finished()) throw std::runtime_error(source + " is not finished");
     // Opening a scene turns the split map off.
-    rig_.content().state().display.show_split_map = true;
+    rig_.state().display.show_split_map = true;
   }
 
   /// Drags a slider of the bar through these fractions of its width.
@@ -91,7 +91,7 @@ class Recorder {
     rig_.move_to(place(shares.front()));
     rig_.press(MouseButton::left);
     for (const float share : shares) {
-      rig_.content().input().add(MouseMoved{place(share)});
+      rig_.input().add(MouseMoved{place(share)});
       wait(follow_seconds, [] { return false; });
       shoot("100 ms after the move");
     }
@@ -109,8 +109,8 @@ class Recorder {
 
  private:
   [[nodiscard]] bool finished() {
-    return rig_.previewer().scene() && !rig_.previewer().scene().loading() &&
-           rig_.previewer().render().progress().finished && rig_.content().input().empty();
+    return rig_.scene() && !rig_.scene().loading() && rig_.render().progress().finished &&
+           rig_.input().empty();
   }
   void wait(double seconds, const std::function<bool()>& done) {
     const Clock::time_point begin = Clock::now();
@@ -118,12 +118,12 @@ class Recorder {
     while (!done() && std::chrono::duration<double>(Clock::now() - begin).count() < seconds);
   }
   void shoot(const std::string& when) {
-    const AsosSettings& asos = rig_.previewer().edits().settings().asos;
-    UiState& state = rig_.content().state();
+    const AsosSettings& asos = rig_.settings().asos;
+    UiState& state = rig_.state();
     state.message =
         fmt::format("{:.2f} s   EPS 1/{:.0f}   MAX {}   {:.1f} % split   {}",
                     std::chrono::duration<double>(Clock::now() - start_).count(), 1.0 / asos.eps,
-                    asos.max_level, 100.0 * rig_.previewer().render().split_share(), when);
+                    asos.max_level, 100.0 * rig_.render().split_share(), when);
     state.message_until_seconds = 1e9;
     std::printf("%s\n", state.message.c_str());
     strip_.add(rig_.pixels());
