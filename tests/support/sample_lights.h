@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/lights/prepared_light.h"
-#include "tests/support/make_light.h"
 
 #include <glm/glm.hpp>
 
@@ -11,53 +10,42 @@
 namespace asos::test {
 
 /// A light of each type about 2 above the origin, facing down, about 1 in size.
-[[nodiscard]] inline Light point_light() {
-  Light light = make_bulb({0, 2, 0}, 5.0f);
-  light.name = "point";
-  light.direction = {0, -1, 0};
-  light.color = {1.0f, 0.5f, 0.25f};
-  return light;
+[[nodiscard]] inline Light light_above_origin(const char* name, Light::Type type,
+                                              double radius = 0.0) {
+  return {.name = name,
+          .type = type,
+          .color = {1.0f, 0.5f, 0.25f},
+          .intensity = 5.0f,
+          .position = {0, 2, 0},
+          .direction = {0, -1, 0},
+          .radius = radius};
 }
-
+[[nodiscard]] inline Light point_light() {
+  return light_above_origin("point", Light::Type::point);
+}
 [[nodiscard]] inline Light spot_light() {
-  Light light = point_light();
-  light.name = "spot";
-  light.type = Light::Type::spot;
+  Light light = light_above_origin("spot", Light::Type::spot);
   light.range = 9.0;
   light.inner_cone_rad = 0.3;
   light.outer_cone_rad = 1.2;
   return light;
 }
-
 [[nodiscard]] inline Light ball_light(double radius = 0.6) {
-  Light light = point_light();
-  light.name = "ball";
-  light.radius = radius;
-  return light;
+  return light_above_origin("ball", Light::Type::point, radius);
 }
-
 [[nodiscard]] inline Light distant_light() {
-  Light light = point_light();
-  light.name = "distant";
-  light.type = Light::Type::directional;
-  return light;
+  return light_above_origin("distant", Light::Type::directional);
 }
-
 [[nodiscard]] inline Light sun_light(double angular_diameter_rad = 0.5) {
-  Light light = distant_light();
-  light.name = "sun";
+  Light light = light_above_origin("sun", Light::Type::directional);
   light.angular_diameter_rad = angular_diameter_rad;
   return light;
 }
-
 [[nodiscard]] inline Light linear_light() {
-  Light light = point_light();
-  light.name = "linear";
-  light.type = Light::Type::linear;
+  Light light = light_above_origin("linear", Light::Type::linear);
   light.half_u = {0.9, 0.2, 0};
   return light;
 }
-
 [[nodiscard]] inline Light capsule_light(double radius = 0.3) {
   Light light = linear_light();
   light.name = "capsule";
@@ -66,27 +54,17 @@ namespace asos::test {
 }
 
 [[nodiscard]] inline Light rectangle_light() {
-  Light light = point_light();
-  light.name = "rectangle";
-  light.type = Light::Type::rectangle;
+  Light light = light_above_origin("rectangle", Light::Type::rectangle);
   light.half_u = {0.8, 0, 0};
   light.half_v = {0, 0, -0.5};
   return light;
 }
-
 [[nodiscard]] inline Light disk_light() {
-  Light light = point_light();
-  light.name = "disk";
-  light.type = Light::Type::disk;
-  light.radius = 0.7;
-  return light;
+  return light_above_origin("disk", Light::Type::disk, 0.7);
 }
-
 /// An L with a hole in its corner, starting at x = z = -0.6.
 [[nodiscard]] inline Light polygon_light() {
-  Light light = point_light();
-  light.name = "polygon";
-  light.type = Light::Type::polygon;
+  Light light = light_above_origin("polygon", Light::Type::polygon);
   light.outlines = {
       {{-0.6, 2, -0.6}, {0.8, 2, -0.6}, {0.8, 2, 0}, {0, 2, 0.1}, {0, 2, 1}, {-0.6, 2, 1}},
       {{-0.4, 2, -0.4}, {-0.4, 2, -0.1}, {-0.1, 2, -0.3}}};

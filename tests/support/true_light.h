@@ -2,6 +2,7 @@
 
 #include "renderer/shading/sky.h"
 #include "tests/support/make_settings.h"
+#include "tests/support/reflector_material.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/rendering_equation.h"
 #include "tests/support/sample_lights.h"
@@ -77,21 +78,6 @@ inline Light light_of(const std::string& kind) {
     light.outlines = {outline(0.6, 0.4), outline(0.3, 0.15)};
   }
   return light;
-}
-
-inline Material material_of(const Reflector& reflector) {
-  Material material = matte(glm::vec3(reflector.base));
-  material.metallic = static_cast<float>(reflector.metallic);
-  material.roughness = static_cast<float>(reflector.roughness);
-  material.coat.factor = static_cast<float>(reflector.coat);
-  material.coat.roughness = static_cast<float>(reflector.coat_roughness);
-  material.sheen.color = glm::vec3(reflector.sheen);
-  material.sheen.roughness = static_cast<float>(reflector.sheen_roughness);
-  // For the plane: u grows along x, the bitangent is z.
-  material.anisotropy.strength = static_cast<float>(reflector.anisotropy);
-  material.anisotropy.rotation_rad =
-      static_cast<float>(std::atan2(reflector.tangent.z, reflector.tangent.x));
-  return material;
 }
 
 inline World world_of(Subject subject, const Reflector& reflector) {

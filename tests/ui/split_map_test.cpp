@@ -1,4 +1,5 @@
 #include "renderer/film/split_cause.h"
+#include "tests/support/quad_mesh.h"
 #include "tests/ui/ui_rig.h"
 #include "ui/legend_strip.h"
 
@@ -16,28 +17,20 @@ namespace asos {
 using namespace ui;
 namespace {
 
+using test::add_object;
+using test::quad_mesh;
 using test::UiRig;
 
 constexpr double view_height = 8.0;  // in world units, around the origin
 constexpr float kink_x = -1.53125f, card_left = 1.029f, card_right = 2.029f;
 
-void add_quad(Scene& scene, glm::vec3 corner, glm::vec3 a, glm::vec3 b) {
-  Mesh mesh{.positions = {corner, corner + a, corner + a + b, corner + b}};
-  mesh.normals.assign(4, glm::normalize(glm::cross(a, b)));
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.material = 0;
-  Instance instance{.mesh = static_cast<int>(scene.meshes.size())};
-  scene.meshes.push_back(std::move(mesh));
-  scene.instances.push_back(instance);
-}
-
 Result<Scene> kinked_wall(const std::string& source) {
   Scene scene{.source = source};
   Material matte{.base_color = {0.6f, 0.6f, 0.6f, 1.0f}, .metallic = 0.0f};
   scene.materials.push_back(matte);
-  add_quad(scene, {kink_x - 20.0f, -20, -4}, {20, 0, 4}, {0, 40, 0});
-  add_quad(scene, {kink_x, -20, 0}, {20, 0, 0}, {0, 40, 0});
-  add_quad(scene, {card_left, -1, 1}, {card_right - card_left, 0, 0}, {0, 2, 0});
+  add_object(scene, quad_mesh({kink_x - 20.0f, -20, -4}, {20, 0, 4}, {0, 40, 0}));
+  add_object(scene, quad_mesh({kink_x, -20, 0}, {20, 0, 0}, {0, 40, 0}));
+  add_object(scene, quad_mesh({card_left, -1, 1}, {card_right - card_left, 0, 0}, {0, 2, 0}));
   Light light{.name = "sun",
               .type = Light::Type::directional,
               .intensity = 3.0f,

@@ -4,6 +4,7 @@
 #include "renderer/world/render_features.h"
 #include "tests/support/expect_same.h"
 #include "tests/support/make_settings.h"
+#include "tests/support/quad_mesh.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_world.h"
@@ -72,17 +73,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ForcedBuiltin,
                          });
 
 void add_quad(Scene& scene, glm::vec3 corner, glm::vec3 a, glm::vec3 b, const Material& material) {
-  Mesh mesh;
-  mesh.positions = {corner, corner + a, corner + a + b, corner + b};
-  mesh.normals.assign(4, glm::normalize(glm::cross(a, b)));
-  mesh.texcoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.material = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(material);
-  Instance instance;
-  instance.mesh = static_cast<int>(scene.meshes.size());
-  scene.meshes.push_back(std::move(mesh));
-  scene.instances.push_back(instance);
+  test::add_object(scene, test::quad_mesh(corner, a, b), material);
+  scene.meshes.back().texcoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 }
 
 /// An upright pane on a floor, under an area light.
@@ -95,10 +87,9 @@ Scene pane_on_floor() {
   pane.double_sided = true;
   pane.roughness = 0.4f;
   add_quad(scene, {-1, 0, 0.2f}, {1.9f, 0, 0.1f}, {0.1f, 1.7f, 0}, pane);
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = {1.0, 3.0, 2.0};
-  light.direction = glm::normalize(glm::dvec3(-1.0, -3.0, -2.0));
+  Light light{.type = Light::Type::rectangle,
+              .position = {1.0, 3.0, 2.0},
+              .direction = glm::normalize(glm::dvec3(-1.0, -3.0, -2.0))};
   light.half_u = 0.4 * glm::normalize(glm::cross(light.direction, glm::dvec3(0, 1, 0)));
   light.half_v = 0.3 * glm::normalize(glm::cross(light.half_u, light.direction));
   light.intensity = 20.0f;
@@ -114,8 +105,7 @@ int add_texture(Scene& scene) {
                        static_cast<std::uint8_t>(255 - step / 4),
                        static_cast<std::uint8_t>(x < 4 ? 255 : 40)};
   };
-  Texture texture;
-  texture.image = static_cast<int>(scene.images.size());
+  Texture texture{.image = static_cast<int>(scene.images.size())};
   scene.images.push_back(test::make_image(8, 8, texel));
   scene.textures.push_back(texture);
   return static_cast<int>(scene.textures.size()) - 1;
@@ -180,9 +170,7 @@ const std::vector<WithFeature>& cases() {
        }},
       {"shape", &N::shapes,
        [](Scene& s, Material&) {
-         Instance ball;
-         ball.mesh = 0;
-         ball.shape = static_cast<int>(s.shapes.size());
+         Instance ball{.mesh = 0, .shape = static_cast<int>(s.shapes.size())};
          ball.world_from_mesh[3] = {0.4, 0.5, 0.9, 1.0};
          s.shapes.emplace_back();
          s.instances.push_back(ball);
@@ -251,8 +239,7 @@ TEST(ForcedNeeds, RougherMirrorsAreFollowedWhereTheSettingsAskForThem) {
 
 TEST(ForcedNeeds, ASkysPictureIsOfTheSettings) {
   const SharedScene scene = prepare(pane_on_floor()).value();
-  RenderSettings settings;
-  settings.sky = std::make_shared<const Sky>(glm::vec3(0.4f));
+  RenderSettings settings{.sky = std::make_shared<const Sky>(glm::vec3(0.4f))};
   EXPECT_FALSE(needs_of(*scene, settings).sky_picture) << "a uniform colour is no image";
   settings.sky = std::make_shared<const Sky>(
       SkyMap(2, 1, std::vector{glm::vec3(0.4f), glm::vec3(0.2f)}), 0.0, "two texels");

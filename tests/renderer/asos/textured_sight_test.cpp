@@ -43,58 +43,73 @@ Difference difference_from_samples(World world, const Camera& camera) {
   return difference;
 }
 
-// Dark metal with bright and rougher paint on it, both finer than pixels. The pixel's value differs
-// from that of a material with mean properties, by 0.058.
-TEST(TexturedSight, AveragesProductsOfTextures) {
+Texel grey(int value) {
+  const auto byte = static_cast<std::uint8_t>(value);
+  return {byte, byte, byte, 255};
+}
+
+// Expects a metal card with textures of its colour and roughness to be as sampled.
+void expect_like_samples(const Image& colours, const Image& gloss, Filter filter) {
   World world;
-  const auto painted = [](int x, int y) { return (x / 3 + y / 5) % 2 == 0; };
   Material m = matte(glm::vec3(1.0f));
   m.metallic = m.roughness = 1.0f;
-  const Image colours = make_image(120, 120, [&](int x, int y) {
-    const std::uint8_t c = painted(x, y) ? 255 : 80;
-    return Texel{c, c, c, 255};
-  });
-  const Image gloss = make_image(120, 120, [&](int x, int y) {
-    return painted(x, y) ? Texel{0, 255, 0, 255} : Texel{0, 160, 255, 255};
-  });
-  m.base_color_texture.texture = add_texture(world, colours, Wrap::repeat, Filter::nearest);
-  m.metallic_roughness_texture.texture = add_texture(world, gloss, Wrap::repeat, Filter::nearest);
+  m.base_color_texture.texture = add_texture(world, colours, Wrap::repeat, filter);
+  m.metallic_roughness_texture.texture = add_texture(world, gloss, Wrap::repeat, filter);
   add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
   const Difference d = difference_from_samples(std::move(world), orthographic(2.0));
   EXPECT_LT(std::abs(d.mean), 0.002);
   EXPECT_LT(d.rms, 0.004);
 }
 
+// A flat sheet of cells x cells squares; `vertex(at)` makes its corners.
+template <typename Vertex>
+std::size_t add_sheet(World& world, std::uint32_t cells, float step, const Material& material,
+                      const Vertex& vertex) {
+  std::vector<TinyVertex> corners;
+  std::vector<glm::uvec3> triangles;
+  for (std::uint32_t j = 0; j <= cells; ++j) {
+    for (std::uint32_t i = 0; i <= cells; ++i) {
+      corners.push_back(vertex(step * glm::vec2(i, j) - 1.2f));
+      const std::uint32_t k = j * (cells + 1) + i;
+      if (i == cells || j == cells) continue;
+      triangles.emplace_back(k, k + 1, k + cells + 2);
+      triangles.emplace_back(k, k + cells + 2, k + cells + 1);
+    }
+  }
+  return add_part(world, corners, triangles, material);
+}
+
+// Dark metal with bright and rougher paint on it, both finer than pixels. The pixel's value differs
+// from that of a material with mean properties, by 0.058.
+TEST(TexturedSight, AveragesProductsOfTextures) {
+  const auto painted = [](int x, int y) { return (x / 3 + y / 5) % 2 == 0; };
+  expect_like_samples(
+      make_image(120, 120, [&](int x, int y) { return grey(painted(x, y) ? 255 : 80); }),
+      make_image(120, 120,
+                 [&](int x, int y) {
+                   return painted(x, y) ? Texel{0, 255, 0, 255} : Texel{0, 160, 255, 255};
+                 }),
+      Filter::nearest);
+}
+
 // Mirrors with spots of slightly rough, darker metal. A mirror's reflection is traced, and that of
 // a lobe is sampled. Pixels with both were up to 0.4 too dark, whatever MAX and EPS.
 TEST(TexturedSight, ReflectsByMirrorsBetweenLobes) {
-  World world;
   const auto spot = [](int x, int y) { return x / 5 % 4 == 0 && y / 7 % 3 == 0; };
-  Material m = matte(glm::vec3(1.0f));
-  m.metallic = m.roughness = 1.0f;
-  const Image colours = make_image(120, 120, [&](int x, int y) {
-    const std::uint8_t c = spot(x, y) ? 60 : 230;
-    return Texel{c, c, c, 255};
-  });
-  const Image gloss = make_image(120, 120, [&](int x, int y) {
-    return spot(x, y) ? Texel{0, 20, 40, 255} : Texel{0, 0, 190, 255};
-  });
-  m.base_color_texture.texture = add_texture(world, colours, Wrap::repeat, Filter::linear);
-  m.metallic_roughness_texture.texture = add_texture(world, gloss, Wrap::repeat, Filter::linear);
-  add_quad(world, {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, m);
-  const Difference d = difference_from_samples(std::move(world), orthographic(2.0));
-  EXPECT_LT(std::abs(d.mean), 0.002);
-  EXPECT_LT(d.rms, 0.004);
+  expect_like_samples(
+      make_image(120, 120, [&](int x, int y) { return grey(spot(x, y) ? 60 : 230); }),
+      make_image(120, 120,
+                 [&](int x, int y) {
+                   return spot(x, y) ? Texel{0, 20, 40, 255} : Texel{0, 0, 190, 255};
+                 }),
+      Filter::linear);
 }
 
 // A lid seen nearly from the side, within two rows of pixels, half black and half white: its far
 // half is foreshortened. The error was 0.008 without refinement.
 TEST(TexturedSight, WeightsForeshortenedTextures) {
   World world;
-  const Image halves = make_image(64, 64, [](int, int y) {
-    const std::uint8_t c = y < 32 ? 255 : 0;
-    return Texel{c, c, c, 255};
-  });
+  const Image halves = make_image(64, 64, [](int, int y) { return grey(y < 32 ? 255 : 0); });
   Material m = unlit(glm::vec3(1.0f));
   m.double_sided = true;
   m.base_color_texture.texture = add_texture(world, halves, Wrap::clamp_to_edge, Filter::nearest);
@@ -107,52 +122,30 @@ TEST(TexturedSight, WeightsForeshortenedTextures) {
 // mapping must not be extrapolated beyond its edges. With extrapolation the error was 0.099; a few
 // samples with their own footprints have 0.013.
 TEST(TexturedSight, DoesNotExtrapolateOneTriangle) {
-  constexpr std::uint32_t cells = 6;
   World world;
-  const Image stripes = make_image(256, 256, [](int x, int) {
-    const std::uint8_t c = x / 32 % 2 == 0 ? 255 : 0;
-    return Texel{c, c, c, 255};
-  });
+  const Image stripes =
+      make_image(256, 256, [](int x, int) { return grey(x / 32 % 2 == 0 ? 255 : 0); });
   Material m = unlit(glm::vec3(1.0f));
   m.base_color_texture.texture = add_texture(world, stripes, Wrap::repeat, Filter::linear);
   std::mt19937 random(11);
   std::uniform_real_distribution<float> place(0.0f, 1.0f);
-  std::vector<TinyVertex> corners;
-  std::vector<glm::uvec3> triangles;
-  for (std::uint32_t j = 0; j <= cells; ++j) {
-    for (std::uint32_t i = 0; i <= cells; ++i) {
-      const glm::vec2 at = 0.4f * glm::vec2(i, j) - 1.2f;
-      corners.push_back({{at.x, at.y, 0}, {0, 0, 1}, {place(random), place(random)}});
-      const std::uint32_t k = j * (cells + 1) + i;
-      if (i == cells || j == cells) continue;
-      triangles.emplace_back(k, k + 1, k + cells + 2);
-      triangles.emplace_back(k, k + cells + 2, k + cells + 1);
-    }
-  }
-  add_part(world, corners, triangles, m);
+  add_sheet(world, 6, 0.4f, m, [&](glm::vec2 at) {
+    const float u = place(random);
+    return TinyVertex{{at.x, at.y, 0}, {0, 0, 1}, {u, place(random)}};
+  });
   EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.02);
 }
 
 // A flat sheet with black and white corners: edges between its triangles are no edges for ASOS, but
 // the colour gradient changes there. With extrapolation of one triangle the error was 0.093.
 TEST(TexturedSight, InterpolatesVertexColoursPerTriangle) {
-  constexpr std::uint32_t cells = 20;
   World world;
   std::mt19937 random(5);
-  std::vector<TinyVertex> corners;
-  std::vector<glm::uvec3> triangles;
-  for (std::uint32_t j = 0; j <= cells; ++j) {
-    for (std::uint32_t i = 0; i <= cells; ++i) {
-      const glm::vec2 at = 0.12f * glm::vec2(i, j) - 1.2f;
-      corners.push_back({{at.x, at.y, 0}, {0, 0, 1}, {0, 0}});
-      world.colors.emplace_back(glm::vec3(random() % 2 == 0 ? 0.0f : 1.0f), 1.0f);
-      const std::uint32_t k = j * (cells + 1) + i;
-      if (i == cells || j == cells) continue;
-      triangles.emplace_back(k, k + 1, k + cells + 2);
-      triangles.emplace_back(k, k + cells + 2, k + cells + 1);
-    }
-  }
-  world.parts[add_part(world, corners, triangles, unlit(glm::vec3(1.0f)))].coloured = true;
+  const std::size_t sheet = add_sheet(world, 20, 0.12f, unlit(glm::vec3(1.0f)), [&](glm::vec2 at) {
+    world.colors.emplace_back(glm::vec3(random() % 2 == 0 ? 0.0f : 1.0f), 1.0f);
+    return TinyVertex{{at.x, at.y, 0}, {0, 0, 1}, {0, 0}};
+  });
+  world.parts[sheet].coloured = true;
   EXPECT_LT(difference_from_samples(std::move(world), orthographic(2.0)).rms, 0.008);
 }
 
@@ -160,10 +153,7 @@ TEST(TexturedSight, InterpolatesVertexColoursPerTriangle) {
 // With extrapolation of the card the error was 0.023.
 TEST(TexturedSight, ShowsNarrowRims) {
   World world;
-  const Image rim = make_image(2, 2, [](int, int y) {
-    const std::uint8_t c = y == 0 ? 255 : 0;
-    return Texel{c, c, c, 255};
-  });
+  const Image rim = make_image(2, 2, [](int, int y) { return grey(y == 0 ? 255 : 0); });
   Material m = unlit(glm::vec3(1.0f));
   m.base_color_texture.texture = add_texture(world, rim, Wrap::clamp_to_edge, Filter::nearest);
   constexpr float top = 0.1f, width = 0.0125f, slope = 0.3f;

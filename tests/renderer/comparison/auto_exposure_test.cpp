@@ -2,6 +2,7 @@
 
 #include "renderer/gltf/load.h"
 #include "tests/support/make_light.h"
+#include "tests/support/quad_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -13,23 +14,9 @@ namespace {
 
 /// A white matte unit square under a sun of `lux` that shines straight at it.
 Scene sunlit_square(double lux) {
-  Scene scene;
-  scene.source = "square.glb";
-  Material material;
-  material.base_color = glm::vec4(1.0f);
-  material.metallic = 0.0f;
-  material.specular = 0.0f;
-  material.roughness = 1.0f;
-  scene.materials.push_back(material);
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  mesh.normals.assign(4, {0, 0, 1});
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.material = 0;
-  scene.meshes.push_back(mesh);
-  Instance instance;
-  instance.mesh = 0;
-  scene.instances.push_back(instance);
+  Scene scene{.source = "square.glb"};
+  test::add_object(scene, test::quad_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                   Material{.metallic = 0.0f, .roughness = 1.0f, .specular = 0.0f});
   scene.lights.push_back(test::make_sun({0, 0, -1}, static_cast<float>(lux)));
   return scene;
 }
@@ -37,9 +24,7 @@ Scene sunlit_square(double lux) {
 /// Meters a picture in which the square covers this fraction.
 Metering metered(const RenderScene& scene, double share, RenderSettings settings = {},
                  bool usual = true) {
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.height = std::sqrt(9.0 / 16.0 / share);
+  Camera camera{.type = Camera::Type::orthographic, .height = std::sqrt(9.0 / 16.0 / share)};
   const glm::dvec3 origin = scene.world().origin;
   camera.world_from_camera[3] = glm::dvec4(0.5 - origin.x, 0.5 - origin.y, 5.0 - origin.z, 1.0);
   return usual ? usual_exposure(scene, camera, settings, ToneCurve::neutral)
@@ -69,8 +54,7 @@ TEST(AutoExposure, LeavesPicturesWithLittleWhiteAsTheyAre) {
 }
 
 TEST(AutoExposure, BrightensADarkPictureWhereItIsAskedFor) {
-  RenderSettings settings;
-  settings.sky = std::make_shared<const Sky>(glm::vec3(0.0f));
+  RenderSettings settings{.sky = std::make_shared<const Sky>(glm::vec3(0.0f))};
   const auto dark = prepare(sunlit_square(0.1 * std::numbers::pi)).value();
   EXPECT_EQ(metered(*dark, 0.5, settings).stops, 0.0f);
   EXPECT_FLOAT_EQ(metered(*dark, 0.5, settings, false).stops, 3.0f);

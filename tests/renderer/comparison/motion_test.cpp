@@ -24,9 +24,7 @@ constexpr double clip_seconds = 2.0;
 
 /// Looks along -z from the origin.
 Camera still_camera() {
-  Camera camera;
-  camera.fov_y_rad = 2.0 * std::atan(0.5 * side * pixel / 4.0);
-  return camera;
+  return {.fov_y_rad = 2.0 * std::atan(0.5 * side * pixel / 4.0)};
 }
 
 RenderSettings settings_of(Method method, double shutter) {
@@ -47,9 +45,8 @@ void add_card(Scene& scene, double left, double right, double half_height) {
   const auto at = [&](double x, double y) {
     return glm::vec3((x - 0.5 * side) * pixel, y * pixel, -4.0);
   };
-  Mesh mesh;
-  mesh.positions = {at(left, -half_height), at(right, -half_height), at(right, half_height),
-                    at(left, half_height)};
+  Mesh mesh{.positions = {at(left, -half_height), at(right, -half_height), at(right, half_height),
+                          at(left, half_height)}};
   mesh.normals.assign(4, {0, 0, 1});
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   mesh.material = 0;
@@ -60,8 +57,7 @@ void add_card(Scene& scene, double left, double right, double half_height) {
 /// A pole of `width` pixels, whose left edge is at `from` at 0 s and moves by `speed` pixels a
 /// second.
 std::shared_ptr<PosedBy> moving_pole(double width, double from, double speed) {
-  Scene scene;
-  scene.source = "pole";
+  Scene scene{.source = "pole"};
   add_card(scene, from, from + width, 40.0);
   return std::make_shared<PosedBy>(scene, clip_seconds, [speed](double seconds, Scene& posed) {
     posed.instances[0].world_from_mesh =
@@ -181,8 +177,7 @@ TEST(MotionBlur, LayersAreMeansOverTheShutter) {
 }
 
 TEST(MotionBlur, FollowsAnAnimatedCamera) {
-  Scene still;
-  still.source = "pole";
+  Scene still{.source = "pole"};
   add_card(still, 8.0, 8.6, 40.0);
   still.cameras = {still_camera()};
   const auto rig = std::make_shared<PosedBy>(still, clip_seconds, [](double seconds, Scene& posed) {
@@ -223,8 +218,7 @@ TEST(MotionBlur, HoldsTheFirstPoseBeforeTheClip) {
 TEST(MotionBlur, IsTheStillPictureWhereNothingMoves) {
   const auto still = moving_pole(0.7, 4.2, 0.0);
   const auto corner = [] {
-    Scene scene;
-    scene.source = "corner";
+    Scene scene{.source = "corner"};
     add_card(scene, 3.3, 4.7, 3.0);
     add_card(scene, 12.3, 12.7, 40.0);
     return std::make_shared<PosedBy>(scene, clip_seconds, [](double seconds, Scene& posed) {
@@ -274,8 +268,7 @@ TEST(MotionBlur, AsPublishedElongatesPixelsOfMovingSurfaces) {
 
 TEST(MotionBlur, AsPublishedShowsAllDepthsBetweenTheCamerasPlanes) {
   // A white card at depth 4 before a grey wall at depth 12, which both move.
-  Scene scene;
-  scene.source = "card";
+  Scene scene{.source = "card"};
   add_card(scene, 1.0, 7.0, 40.0);
   add_card(scene, -80.0, 96.0, 40.0);
   scene.materials.push_back(scene.materials[0]);
@@ -349,8 +342,7 @@ double turned_wheel(int px, int py, double first_angle, double last_angle) {
 }
 
 TEST(MotionBlur, OfATurningWheelAgreesWithContinuousTime) {
-  Scene scene;
-  scene.source = "wheel";
+  Scene scene{.source = "wheel"};
   add_card(scene, 2.5, 13.5, 0.45);
   add_card(scene, 7.6, 8.4, 5.5);
   constexpr double speed = 0.8;  // radians a second
@@ -413,13 +405,10 @@ TEST(MotionBlur, IsLeftOutByMethodsOfOneMoment) {
 }
 
 TEST(MotionBlur, FollowsAMovingLightAndItsShadow) {
-  Scene scene;
-  scene.source = "light";
+  Scene scene{.source = "light"};
   add_card(scene, -40.0, 56.0, 40.0);
   scene.materials[0].unlit = false;
-  Light light;
-  light.type = Light::Type::directional;
-  light.intensity = 1.0f;
+  Light light{.type = Light::Type::directional, .intensity = 1.0f};
   scene.lights = {light};
   const auto rig = std::make_shared<PosedBy>(scene, clip_seconds, [](double seconds, Scene& posed) {
     posed.lights[0].intensity = static_cast<float>(seconds);

@@ -1,6 +1,7 @@
 #include "renderer/lights/emitters.h"
 
 #include "tests/renderer/lights/emitter_worlds.h"
+#include "tests/support/quad_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -89,16 +90,10 @@ TEST(EmissiveLights, TheFrontShinesAndBothSidesIfDoubleSided) {
 
 TEST(EmissiveLights, AMirroredInstanceKeepsItsFrontInFront) {
   Scene scene;
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  mesh.normals.assign(4, {0, 0, 1});
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.material = 0;
-  scene.meshes.push_back(mesh);
+  scene.meshes.push_back(test::quad_mesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
   scene.materials.push_back(glow(glm::vec3(1)));
   for (const glm::dvec3 scale : {glm::dvec3(-1, 1, 1), glm::dvec3(1, 1, -1)}) {
-    Instance instance;
-    instance.mesh = 0;
+    Instance instance{.mesh = 0};
     for (int i = 0; i < 3; ++i) instance.world_from_mesh[i][i] = scale[i];
     scene.instances.push_back(instance);
   }

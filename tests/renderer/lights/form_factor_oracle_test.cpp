@@ -63,6 +63,15 @@ struct FlatCase {
   Receiver receiver;
 };
 
+/// Calls `check(random, size, round)`, which returns the expected form, for each size and round.
+template <typename Check>
+void each_case(unsigned seed, const Check& check) {
+  test::RandomSpace random(seed);
+  Lit lit;
+  for (int round = 0; round < kRounds; ++round)
+    for (const double size : kSizes) lit.count(check(random, size, round));
+}
+
 double outlines_form(const FlatCase& flat, const Outlines2& outlines) {
   double form = 0.0;
   for (const auto& outline : outlines) form += polygon_form(flat.placed(outline), flat.receiver);
@@ -70,95 +79,76 @@ double outlines_form(const FlatCase& flat, const Outlines2& outlines) {
 }
 
 TEST(FormFactorOracle, AgreesOnRectangles) {
-  test::RandomSpace random(1);
-  Lit lit;
-  for (int round = 0; round < kRounds; ++round) {
-    for (const double size : kSizes) {
-      const FlatCase flat(random, size, round);
-      const double h = size * std::pow(10.0, random.between(-2.0, 0.0));
-      const Outlines2 outlines{{{-size, -h}, {size, -h}, {size, h}, {-size, h}}};
-      const double expected = test::flat_oracle(
-          test::polygon_region(flat.centre, flat.u, flat.v, outlines), flat.receiver);
-      expect_form(outlines_form(flat, outlines), expected, size, round);
-      lit.count(expected);
-    }
-  }
+  each_case(1, [](test::RandomSpace& random, double size, int round) {
+    const FlatCase flat(random, size, round);
+    const double h = size * std::pow(10.0, random.between(-2.0, 0.0));
+    const Outlines2 outlines{{{-size, -h}, {size, -h}, {size, h}, {-size, h}}};
+    const double expected = test::flat_oracle(
+        test::polygon_region(flat.centre, flat.u, flat.v, outlines), flat.receiver);
+    expect_form(outlines_form(flat, outlines), expected, size, round);
+    return expected;
+  });
 }
 
 TEST(FormFactorOracle, AgreesOnConcavePolygonsWithHoles) {
-  test::RandomSpace random(2);
-  Lit lit;
-  for (int round = 0; round < kRounds; ++round) {
-    for (const double size : kSizes) {
-      const FlatCase flat(random, size, round);
-      Outlines2 outlines{{{-1, -1}, {1, -1}, {1, 1}, {0.2, -0.2}, {-0.3, 0.9}, {-1, 0.5}},
-                         {{-0.6, -0.6}, {-0.5, -0.3}, {0.1, -0.6}}};
-      for (auto& outline : outlines) {
-        for (glm::dvec2& corner : outline) corner *= size;
-      }
-      const double expected = test::flat_oracle(
-          test::polygon_region(flat.centre, flat.u, flat.v, outlines), flat.receiver);
-      expect_form(outlines_form(flat, outlines), expected, size, round);
-      lit.count(expected);
+  each_case(2, [](test::RandomSpace& random, double size, int round) {
+    const FlatCase flat(random, size, round);
+    Outlines2 outlines{{{-1, -1}, {1, -1}, {1, 1}, {0.2, -0.2}, {-0.3, 0.9}, {-1, 0.5}},
+                       {{-0.6, -0.6}, {-0.5, -0.3}, {0.1, -0.6}}};
+    for (auto& outline : outlines) {
+      for (glm::dvec2& corner : outline) corner *= size;
     }
-  }
+    const double expected = test::flat_oracle(
+        test::polygon_region(flat.centre, flat.u, flat.v, outlines), flat.receiver);
+    expect_form(outlines_form(flat, outlines), expected, size, round);
+    return expected;
+  });
 }
 
 TEST(FormFactorOracle, AgreesOnDisks) {
-  test::RandomSpace random(3);
-  Lit lit;
-  for (int round = 0; round < kRounds; ++round) {
-    for (const double size : kSizes) {
-      const FlatCase flat(random, size, round);
-      const double expected =
-          test::flat_oracle(test::disk_region(flat.centre, flat.u, flat.v, size), flat.receiver);
-      expect_form(disk_form(flat.centre, flat.facing, size, flat.receiver), expected, size, round);
-      lit.count(expected);
-    }
-  }
+  each_case(3, [](test::RandomSpace& random, double size, int round) {
+    const FlatCase flat(random, size, round);
+    const double expected =
+        test::flat_oracle(test::disk_region(flat.centre, flat.u, flat.v, size), flat.receiver);
+    expect_form(disk_form(flat.centre, flat.facing, size, flat.receiver), expected, size, round);
+    return expected;
+  });
 }
 
 TEST(FormFactorOracle, AgreesOnBalls) {
-  test::RandomSpace random(4);
-  Lit lit;
-  for (int round = 0; round < kRounds; ++round) {
-    for (const double size : kSizes) {
-      const glm::dvec3 centre = random.direction();
-      const double gap = round % 5 == 0 ? std::pow(10.0, random.between(-4.0, 0.0)) : 1.0;
-      const glm::dvec3 position = centre + (size + gap) * random.direction();
-      const Receiver receiver =
-          random.receiver(position, centre + 0.9 * size * random.direction(), round);
-      const glm::dvec3 to_centre = centre - position;
-      const double distance = glm::length(to_centre);
-      const double expected =
-          test::cone_oracle(to_centre / distance, std::asin(size / distance), receiver);
-      expect_form(ball_form(centre, size, receiver), expected, size, round);
-      lit.count(expected);
-    }
-  }
+  each_case(4, [](test::RandomSpace& random, double size, int round) {
+    const glm::dvec3 centre = random.direction();
+    const double gap = round % 5 == 0 ? std::pow(10.0, random.between(-4.0, 0.0)) : 1.0;
+    const glm::dvec3 position = centre + (size + gap) * random.direction();
+    const Receiver receiver =
+        random.receiver(position, centre + 0.9 * size * random.direction(), round);
+    const glm::dvec3 to_centre = centre - position;
+    const double distance = glm::length(to_centre);
+    const double expected =
+        test::cone_oracle(to_centre / distance, std::asin(size / distance), receiver);
+    expect_form(ball_form(centre, size, receiver), expected, size, round);
+    return expected;
+  });
 }
 
 TEST(FormFactorOracle, AgreesOnLines) {
-  test::RandomSpace random(5);
-  Lit lit;
-  for (int round = 0; round < kRounds; ++round) {
-    for (const double size : kSizes) {
-      const glm::dvec3 half = size * random.direction();
-      const glm::dvec3 centre = random.direction();
-      const double height = round % 5 == 0 ? std::pow(10.0, random.between(-3.0, 0.0)) : 1.0;
-      const glm::dvec3 position =
-          centre + random.between(-1.5, 1.5) * half + height * random.perpendicular(half / size);
-      const Receiver receiver =
-          random.receiver(position, centre + random.between(-1.0, 1.0) * half, round);
-      for (const bool lambertian : {false, true}) {
-        const double expected =
-            test::line_oracle(centre - half, centre + half, lambertian, receiver);
-        expect_form(line_form(centre - half, centre + half, lambertian, receiver), expected, size,
-                    round);
-        lit.count(expected);
-      }
+  each_case(5, [](test::RandomSpace& random, double size, int round) {
+    const glm::dvec3 half = size * random.direction();
+    const glm::dvec3 centre = random.direction();
+    const double height = round % 5 == 0 ? std::pow(10.0, random.between(-3.0, 0.0)) : 1.0;
+    const glm::dvec3 position =
+        centre + random.between(-1.5, 1.5) * half + height * random.perpendicular(half / size);
+    const Receiver receiver =
+        random.receiver(position, centre + random.between(-1.0, 1.0) * half, round);
+    double lit = 0.0;
+    for (const bool lambertian : {false, true}) {
+      const double expected = test::line_oracle(centre - half, centre + half, lambertian, receiver);
+      expect_form(line_form(centre - half, centre + half, lambertian, receiver), expected, size,
+                  round);
+      lit += expected;
     }
-  }
+    return lit;
+  });
 }
 
 }  // namespace

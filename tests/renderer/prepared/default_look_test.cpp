@@ -5,6 +5,7 @@
 #include "renderer/shading/environments.h"
 #include "renderer/world/framing.h"
 #include "renderer/world/ground.h"
+#include "tests/support/quad_mesh.h"
 #include "tests/support/render_picture.h"
 #include "tests/support/tiny_world.h"
 
@@ -66,24 +67,15 @@ TEST(DefaultLook, HidesPanelsBehindAColour) {
   const Sky sky(Environment::softboxes), bright = sky.brightened(4.0),
                                          most = sky.brightened(1000.0);
   EXPECT_EQ(default_background(&bright).bottom, 4.0f * default_background(&sky).bottom);
-  RenderSettings settings;
-  settings.background = default_background(&most);
+  RenderSettings settings{.background = default_background(&most)};
   EXPECT_TRUE(validated(settings));
 }
 
 /// A matte board that stands upright.
 Scene board() {
-  Scene scene;
-  scene.source = "board";
-  scene.materials.emplace_back();
-  scene.materials.back().double_sided = true;
-  Mesh mesh;
-  mesh.positions = {{-1, 0, 0}, {1, 0, 0}, {1, 2, 0}, {-1, 2, 0}};
-  mesh.normals.assign(4, glm::vec3(0, 0, 1));
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.material = 0;
-  scene.meshes.push_back(std::move(mesh));
-  scene.instances.push_back({"board", 0, glm::dmat4(1.0)});
+  Scene scene{.source = "board"};
+  test::add_object(scene, test::quad_mesh({-1, 0, 0}, {2, 0, 0}, {0, 2, 0}),
+                   Material{.double_sided = true}, "board");
   return scene;
 }
 
@@ -91,11 +83,8 @@ Scene board() {
 // rim.
 TEST(DefaultLook, TheGroundHasNoVisibleRim) {
   const auto scene = with_ground(prepare(board()).value(), Ground::on).value();
-  RenderSettings settings;
-  settings.width = 4;
-  settings.height = 128;
-  settings.method = Method::sobol;
-  settings.sky = default_look(*scene).sky;
+  RenderSettings settings{
+      .width = 4, .height = 128, .method = Method::sobol, .sky = default_look(*scene).sky};
   settings.background = default_background(settings.sky.get());
   const Box bounds = bounds_without_ground(scene->world());
   const glm::dvec3 top(0.5f * (bounds.lo + bounds.hi).x, bounds.hi.y + 0.1f, bounds.lo.z - 0.1f);

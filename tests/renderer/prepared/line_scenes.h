@@ -3,6 +3,7 @@
 #include "renderer/prepared/with_lines.h"
 #include "tests/support/make_light.h"
 #include "tests/support/make_settings.h"
+#include "tests/support/quad_mesh.h"
 #include "tests/support/render_picture.h"
 
 #include <glm/glm.hpp>
@@ -19,14 +20,11 @@ namespace asos::test::line_scenes {
 inline constexpr float red = 0.9f;
 
 inline Material red_material() {
-  Material material;
-  material.base_color = {red, 0.0f, 0.0f, 1.0f};
-  return material;
+  return {.base_color = {red, 0.0f, 0.0f, 1.0f}};
 }
 
 inline Mesh lines(std::vector<glm::vec3> positions) {
-  Mesh mesh;
-  mesh.positions = std::move(positions);
+  Mesh mesh{.positions = std::move(positions)};
   for (std::uint32_t i = 0; i + 1 < mesh.positions.size(); i += 2)
     mesh.segments.emplace_back(i, i + 1);
   mesh.material = 0;
@@ -34,8 +32,7 @@ inline Mesh lines(std::vector<glm::vec3> positions) {
 }
 
 inline Mesh points(std::vector<glm::vec3> positions) {
-  Mesh mesh;
-  mesh.positions = std::move(positions);
+  Mesh mesh{.positions = std::move(positions)};
   for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) mesh.points.push_back(i);
   mesh.material = 0;
   return mesh;
@@ -43,20 +40,17 @@ inline Mesh points(std::vector<glm::vec3> positions) {
 
 /// A plain square in the plane z = `z`, from -half to half, facing +Z.
 inline Mesh square(float half, float z) {
-  Mesh mesh;
-  mesh.positions = {{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}};
+  Mesh mesh{.positions = {{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}}};
   mesh.normals.assign(4, glm::vec3(0, 0, 1));
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
   return mesh;
 }
 
 inline Scene scene_of(std::vector<Mesh> meshes) {
-  Scene scene;
-  scene.source = "test";
+  Scene scene{.source = "test"};
   scene.materials.push_back(red_material());
   for (Mesh& mesh : meshes) {
-    scene.instances.push_back({"it", static_cast<int>(scene.meshes.size()), glm::dmat4(1.0)});
-    scene.meshes.push_back(std::move(mesh));
+    add_object(scene, std::move(mesh), "it");
   }
   scene.lights.push_back(make_sun(glm::normalize(glm::dvec3(0.3, -0.2, -1.0))));
   return scene;
@@ -64,10 +58,9 @@ inline Scene scene_of(std::vector<Mesh> meshes) {
 
 /// At (0, 0, 5) in the author's coordinates, looking along -Z.
 inline Camera camera_for(const RenderScene& scene, bool perspective = true) {
-  Camera camera;
-  camera.type = perspective ? Camera::Type::perspective : Camera::Type::orthographic;
-  camera.fov_y_rad = 0.7;
-  camera.height = 4.0;
+  Camera camera{.type = perspective ? Camera::Type::perspective : Camera::Type::orthographic,
+                .fov_y_rad = 0.7,
+                .height = 4.0};
   camera.world_from_camera[3] = glm::dvec4(glm::dvec3(0, 0, 5) - scene.world().origin, 1.0);
   return camera;
 }

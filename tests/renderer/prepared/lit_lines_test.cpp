@@ -58,9 +58,7 @@ TEST(WithLines, TexturesRunAlongALine) {
   Scene scene = scene_of({lines({{-1.5f, 0, 0}, {1.5f, 0, 0}})});
   scene.images.push_back({"two", 2, 1, {}});
   scene.images[0].rgba = SharedBytes(SharedBytes::Bytes{255, 0, 0, 255, 0, 255, 0, 255});
-  Texture texture;
-  texture.image = 0;
-  texture.filter = Filter::nearest;
+  Texture texture{.image = 0, .filter = Filter::nearest};
   texture.wrap_u = texture.wrap_v = Wrap::clamp_to_edge;
   scene.textures.push_back(texture);
   Material& material = scene.materials[0];

@@ -35,9 +35,7 @@ Image half_masked() {
 }
 
 Material painted(World& world, const Image& image, bool mask = false) {
-  Material m;
-  m.emissive = glm::vec3(1.0f);
-  m.emissive_strength = strength;
+  Material m{.emissive = glm::vec3(1.0f), .emissive_strength = strength};
   const int texture = add_texture(world, image, Wrap::clamp_to_edge, Filter::nearest);
   (mask ? m.base_color_texture : m.emissive_texture).texture = texture;
   if (mask) m.alpha_mode = AlphaMode::mask;

@@ -21,9 +21,7 @@ constexpr float width = 2.0f, height = 1.0f;
 /// A rectangle in z = 0 that emits towards +Z.
 World emitter(const Image& image, Filter filter, bool mask) {
   World world;
-  Material m;
-  m.emissive = glm::vec3(1.0f);
-  m.emissive_strength = 3.0f;
+  Material m{.emissive = glm::vec3(1.0f), .emissive_strength = 3.0f};
   const int texture = add_texture(world, image, Wrap::clamp_to_edge, filter);
   if (mask) {
     m.base_color_texture.texture = texture;

@@ -8,6 +8,7 @@
 #include "renderer/world/ground.h"
 #include "tests/support/make_light.h"
 #include "tests/support/make_settings.h"
+#include "tests/support/quad_mesh.h"
 #include "tests/support/render_picture.h"
 
 #include <gtest/gtest.h>
@@ -21,26 +22,13 @@ namespace {
 
 /// A white square of 2 x 2 at height 1, optionally with lines, under a sun straight above.
 Scene board(bool lines) {
-  Scene scene;
-  scene.source = "test";
-  scene.materials.emplace_back();
-  scene.materials.back().metallic = 0.0f;
-  scene.materials.back().double_sided = true;
-  Mesh mesh;
-  mesh.positions = {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}};
-  mesh.normals.assign(4, glm::vec3(0, 1, 0));
-  mesh.triangles = {{0, 2, 1}, {0, 3, 2}};
-  mesh.material = 0;
-  scene.meshes.push_back(std::move(mesh));
-  scene.instances.push_back({"board", 0, glm::dmat4(1.0)});
-  Mesh line;
-  line.positions = {{-1, 2, 0}, {1, 2, 0}};
-  line.segments = {{0, 1}};
-  line.material = 0;
-  if (lines) {
-    scene.meshes.push_back(std::move(line));
-    scene.instances.push_back({"line", 1, glm::dmat4(1.0)});
-  }
+  Scene scene{.source = "test"};
+  add_object(scene, quad_mesh({-1, 1, 1}, {2, 0, 0}, {0, 0, -2}),
+             Material{.metallic = 0.0f, .double_sided = true}, "board");
+  if (lines)
+    add_object(scene,
+               Mesh{.positions = {{-1, 2, 0}, {1, 2, 0}}, .segments = {{0, 1}}, .material = 0},
+               "line");
   scene.lights.push_back(make_sun({0, -1, 0}, std::numbers::pi_v<float>));
   return scene;
 }
@@ -51,10 +39,9 @@ std::shared_ptr<const RenderScene> ready(const Scene& scene) {
 
 /// Radiance of a point of the ground, in the author's coordinates, seen from below the board.
 glm::vec3 ground_at(const RenderScene& scene, double x, double z) {
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.height = 0.01;
-  camera.world_from_camera = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
+  Camera camera{.type = Camera::Type::orthographic,
+                .world_from_camera = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}},
+                .height = 0.01};
   const glm::dvec3 eye = glm::dvec3(x, 0.99999, z) - scene.world().origin;
   camera.world_from_camera[3] = glm::dvec4(eye, 1.0);
   const RenderSettings settings = make_settings(4, 4);

@@ -1,6 +1,7 @@
 #include "renderer/rays/back_face.h"
 #include "renderer/rays/ray_scene.h"
 #include "tests/renderer/rays/ray_worlds.h"
+#include "tests/support/quad_mesh.h"
 #include "tests/support/triangle_crossing.h"
 
 #include <gtest/gtest.h>
@@ -90,8 +91,7 @@ TEST(Culling, AFrontInTheVeryPlaceOfABackIsMet) {
     std::mt19937 rng(4);
     std::uniform_real_distribution<float> side(-0.9f, 0.9f);
     for (int i = 0; i < 200; ++i) {
-      Ray ray;
-      ray.origin = {side(rng), side(rng), 1.7f};
+      Ray ray{.origin = {side(rng), side(rng), 1.7f}};
       ray.direction = glm::vec3(side(rng), side(rng), 0.3f) - ray.origin;
       for (const Hit& hit : all_forms(scene, ray, Culling::as_material_says)) {
         ASSERT_TRUE(hit.valid()) << i;
@@ -132,15 +132,8 @@ TEST(Culling, HolesAndBlendedSurfacesHaveBacksToo) {
 /// A unit quad that faces +z, transformed by a matrix.
 World placed_quad(const glm::dmat4& world_from_mesh) {
   Scene scene;
-  Mesh mesh;
-  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  mesh.normals.assign(4, {0, 0, 1});
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  scene.meshes.push_back(mesh);
-  Instance instance;
-  instance.mesh = 0;
-  instance.world_from_mesh = world_from_mesh;
-  scene.instances.push_back(instance);
+  test::add_object(scene, test::quad_mesh({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, -1), "",
+                   world_from_mesh);
   return flatten(scene).value().world;
 }
 

@@ -4,6 +4,7 @@
 #include "renderer/session/render_session.h"
 #include "tests/support/expect_same.h"
 #include "tests/support/exposed_picture.h"
+#include "tests/support/quad_mesh.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -20,41 +21,27 @@ constexpr int width = 48, height = 32;
 
 /// A card of 2 x 2 at this place, facing +z.
 void add_card(Scene& scene, glm::dvec3 at, bool unlit) {
-  Material material;
-  material.unlit = unlit;
-  material.double_sided = true;
-  material.base_color = {0.8f, 0.5f, 0.2f, 1.0f};
-  Mesh mesh;
-  mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  mesh.normals.assign(4, {0, 0, 1});
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  mesh.material = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(material);
-  scene.instances.push_back({"card", static_cast<int>(scene.meshes.size()),
-                             glm::rotate(glm::translate(glm::dmat4(1.0), at), 0.3, {0, 0, 1})});
-  scene.meshes.push_back(std::move(mesh));
+  Material material{.base_color = {0.8f, 0.5f, 0.2f, 1.0f}, .double_sided = true, .unlit = unlit};
+  add_object(scene, quad_mesh({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), material, "card",
+             glm::rotate(glm::translate(glm::dmat4(1.0), at), 0.3, {0, 0, 1}));
 }
 
 /// A card before another, both turned against the pixels; the nearer one moves to the right.
 Snapshot picture_of(bool unlit, double shutter, double lens_radius) {
-  Scene scene;
-  scene.source = "cards";
+  Scene scene{.source = "cards"};
   add_card(scene, {-0.9, 0.1, -3.0}, unlit);
   add_card(scene, {0.4, -0.2, -5.0}, false);
   const auto rig = std::make_shared<PosedBy>(scene, 1.0, [](double seconds, Scene& posed) {
     glm::dmat4& place = posed.instances[0].world_from_mesh;
     place = glm::translate(glm::dmat4(1.0), {seconds, 0.0, 0.0}) * place;
   });
-  Camera camera;
-  camera.fov_y_rad = 0.8;
-  camera.lens.radius = lens_radius;
+  Camera camera{.fov_y_rad = 0.8, .lens = {.radius = lens_radius}};
   if (lens_radius > 0.0) camera.lens.focus = 5.0;
-  Snapshot snapshot;
-  snapshot.settings.width = width;
-  snapshot.settings.height = height;
-  snapshot.settings.threads = 2;
-  snapshot.settings.asos.max_level = 2;
-  snapshot.settings.shutter.seconds = shutter;
+  Snapshot snapshot{.settings = {.width = width,
+                                 .height = height,
+                                 .asos = {.max_level = 2},
+                                 .shutter = {.seconds = shutter},
+                                 .threads = 2}};
   const ExposedScene exposed = exposed_at(*rig, 0.5, camera, snapshot.settings);
   EXPECT_EQ(exposed.scene->exposure && exposed.exposure().moves(), shutter > 0.0);
   snapshot.scene = exposed.scene;

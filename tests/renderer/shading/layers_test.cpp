@@ -39,19 +39,9 @@ TEST(Layers, OfALightAreTheExtensionsFormulas) {
 // The base alone may reflect more than it receives at grazing angles (brdf.h): layers are compared
 // with the same integral.
 TEST(Layers, UnderASkyOfRadianceOneReturnTheirAlbedo) {
-  const Sky white(glm::vec3(1.0f));
   for (const Reflector& reflector : reflectors()) {
-    const SeenFloor floor(material_of(reflector));
-    for (const double angle : angles) {
-      const SeenPoint at = seen_at(angle);
-      const LayersSeen layers(reflector, at);
-      const glm::dvec3 albedo = over_hemisphere(
-          at, 150, [&](glm::dvec3 l) { return gltf_brdf(reflector, at, layers, l); });
-      const glm::vec3 found = floor.look(angle, white, sky_samples);
-      for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(found[c], albedo[c], 1e-2)
-            << angle << ' ' << reflector.coat << ' ' << reflector.sheen.x;
-    }
+    SCOPED_TRACE(reflector.coat);
+    expect_albedo_under_white_sky(reflector, angles);
   }
 }
 
@@ -105,8 +95,7 @@ TEST(Layers, CoatsHaveTheirOwnNormals) {
     if (of_base) m.normal_texture.texture = map;
     if (of_coat) m.coat.normal_texture.texture = map;
     add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, m);
-    Hit hit;
-    hit.t = 1.0f;
+    Hit hit{.t = 1.0f};
     hit.b1 = hit.b2 = 0.25f;
     hit.triangle = 0;
     const RenderFeatures render_features = find_render_features(world);
@@ -139,8 +128,7 @@ TEST(Layers, TexturesScaleTheirFactors) {
   m.sheen.roughness = 0.5f;
   m.sheen.color_texture.texture = m.sheen.roughness_texture.texture = map;
   add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, m);
-  Hit hit;
-  hit.t = 1.0f;
+  Hit hit{.t = 1.0f};
   hit.b1 = hit.b2 = 0.25f;
   hit.triangle = 0;
   const SurfaceMaterial seen = surface_material(world, find_render_features(world), hit);

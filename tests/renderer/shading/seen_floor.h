@@ -5,12 +5,14 @@
 #include "renderer/shading/sky.h"
 #include "renderer/shading/sky_light.h"
 #include "tests/support/make_light.h"
+#include "tests/support/reflector_material.h"
 #include "tests/support/rendering_equation.h"
 #include "tests/support/tiny_world.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -70,9 +72,7 @@ struct SeenFloor {
   /// samples.
   [[nodiscard]] glm::vec3 look(glm::vec3 to_viewer, const Sky& sky,
                                std::uint32_t samples = 0) const {
-    ShadingSettings settings;
-    settings.sky = &sky;
-    settings.sky_shadows = samples > 0;
+    ShadingSettings settings{.sky_shadows = samples > 0, .sky = &sky};
     FloorTransport transport(samples);
     RenderStatistics counts;
     const Ray ray{.origin = 10.0f * to_viewer, .direction = -to_viewer};
@@ -84,17 +84,24 @@ struct SeenFloor {
   }
 };
 
-inline Material material_of(const Reflector& r) {
-  Material m = matte(glm::vec3(r.base));
-  m.metallic = static_cast<float>(r.metallic);
-  m.roughness = static_cast<float>(r.roughness);
-  m.coat.factor = static_cast<float>(r.coat);
-  m.coat.roughness = static_cast<float>(r.coat_roughness);
-  m.sheen.color = glm::vec3(r.sheen);
-  m.sheen.roughness = static_cast<float>(r.sheen_roughness);
-  m.anisotropy.strength = static_cast<float>(r.anisotropy);
-  m.anisotropy.rotation_rad = static_cast<float>(std::atan2(r.tangent.z, r.tangent.x));
-  return m;
+/// Expects the sky's samples to give the integral of the formula, at most `most`, under a sky of
+/// radiance 1.
+inline void expect_albedo_under_white_sky(const Reflector& reflector,
+                                          std::span<const double> angles,
+                                          float most = std::numeric_limits<float>::infinity()) {
+  const Sky white(glm::vec3(1.0f));
+  const SeenFloor floor(material_of(reflector));
+  for (const double angle : angles) {
+    const SeenPoint at = seen_at(angle);
+    const LayersSeen layers(reflector, at);
+    const glm::dvec3 albedo =
+        over_hemisphere(at, 150, [&](glm::dvec3 l) { return gltf_brdf(reflector, at, layers, l); });
+    const glm::vec3 found = floor.look(angle, white, sky_samples);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(found[c], albedo[c], 1e-2) << angle;
+      EXPECT_LE(found[c], most) << angle;
+    }
+  }
 }
 
 /// Expects the formula's radiance for suns in several places.
