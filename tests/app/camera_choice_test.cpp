@@ -17,10 +17,9 @@ namespace {
 
 // A triangle within one unit of the author's point (100, 0, 0) along each axis.
 World small_world() {
-  World world;
-  world.origin = {100, 0, 0};
-  world.positions = {{-1, -1, -1}, {1, 1, 1}, {1, -1, 1}};
-  world.triangles = {{0, 1, 2}};
+  World world{.origin = {100, 0, 0},
+              .positions = {{-1, -1, -1}, {1, 1, 1}, {1, -1, 1}},
+              .triangles = {{0, 1, 2}}};
   for (const glm::vec3 p : world.positions) world.bounds.grow(p);
   return world;
 }
@@ -151,9 +150,7 @@ TEST(CameraChoice, OrthographicCamerasHaveNoFieldOfView) {
 }
 
 CameraChoice with_lens(const LensChoice& lens) {
-  CameraChoice choice;
-  choice.lens = lens;
-  return choice;
+  return {.lens = lens};
 }
 
 TEST(CameraChoice, LensIsThatOfTheCommandLine) {
@@ -162,16 +159,12 @@ TEST(CameraChoice, LensIsThatOfTheCommandLine) {
   world.cameras[0].fov_y_rad = 0.8;
   world.cameras[0].lens = {0.5, 3.0, 6, 0.1};
   EXPECT_EQ(choose_camera(world, {}, 1.0)->lens, world.cameras[0].lens);
-  LensChoice lens;
-  lens.radius = 0.0;
+  LensChoice lens{.radius = 0.0};
   EXPECT_FALSE(choose_camera(world, with_lens(lens), 1.0)->lens.blurs());
   lens.radius = 0.25;
   lens.focus = 9.0;
   EXPECT_EQ(choose_camera(world, with_lens(lens), 1.0)->lens, (Lens{0.25, 9.0, 6, 0.1}));
-  LensChoice stop;
-  stop.f_stop = 2.8;
-  stop.blades = 0;
-  stop.turn_deg = 180.0;
+  LensChoice stop{.f_stop = 2.8, .turn_deg = 180.0, .blades = 0};
   EXPECT_EQ(choose_camera(world, with_lens(stop), 1.0)->lens,
             (Lens{aperture_of_f_stop(2.8, 0.8), 3.0, 0, glm::pi<double>()}));
 }
@@ -180,8 +173,7 @@ TEST(CameraChoice, OrthographicCamerasHaveNoLens) {
   World world = small_world();
   world.cameras.resize(1);
   world.cameras[0].type = Camera::Type::orthographic;
-  LensChoice lens;
-  lens.radius = 0.1;
+  LensChoice lens{.radius = 0.1};
   const auto camera = choose_camera(world, with_lens(lens), 1.0);
   ASSERT_FALSE(camera);
   EXPECT_EQ(camera.error().reason, "the chosen camera is orthographic and has no lens");

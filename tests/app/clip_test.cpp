@@ -65,11 +65,8 @@ TEST(Info, TellsOfAMoment) {
 }
 
 TEST(FramesOfAClip, EndWithIt) {
-  SceneContents contents;
-  contents.animations = {{"a", 1.0, 1, 1}};
-  RenderArguments arguments;
-  arguments.output = "d/a.png";
-  arguments.clip_frames = ClipFrames{0, std::nullopt, 24.0};
+  SceneContents contents{.animations = {{"a", 1.0, 1, 1}}};
+  RenderArguments arguments{.output = "d/a.png", .clip_frames = ClipFrames{0, std::nullopt, 24.0}};
   const ClipTime start{0, 0.0};
   const auto frames = frames_of(arguments, contents, start);
   ASSERT_EQ(frames.size(), 25u);
@@ -83,10 +80,7 @@ TEST(FramesOfAClip, EndWithIt) {
 }
 
 TEST(ProgressOfAll, CountsThePicturesAndTheirTime) {
-  Progress now;
-  now.fraction = 0.5;
-  now.seconds = 2.0;
-  now.seconds_left = 2.0;
+  Progress now{.fraction = 0.5, .seconds = 2.0, .seconds_left = 2.0};
   // One of four pictures existed, one took 8 s, and this one will take 4 s: 6 s remain for the last
   // one.
   const Progress all = progress_of_all(now, {4, 2, 1, 8.0});

@@ -19,11 +19,8 @@ using nlohmann::json;
 /// A point with this flicker and no other errors.
 FlickerPoint point(const std::string& method, const std::string& setting, double seconds,
                    float flicker) {
-  FlickerPoint p;
-  p.rung.method = method;
-  p.rung.setting = setting;
-  p.rung.curve = method;
-  p.frame_seconds = {seconds, seconds};
+  FlickerPoint p{.rung = {.method = method, .setting = setting, .curve = method},
+                 .frame_seconds = {seconds, seconds}};
   Film grey(1, 1);
   grey.radiance[0] = glm::vec3(0.5f);
   for (const float error : {flicker, -flicker}) {
@@ -35,8 +32,7 @@ FlickerPoint point(const std::string& method, const std::string& setting, double
 }
 
 TEST(CompareFlicker, ReadsRivalsInTheTimeOfAsos) {
-  FlickerStudy study;
-  study.floor = 0.002;
+  FlickerStudy study{.floor = 0.002};
   study.points = {
       point("asos", "MAX 3 EPS 1/256", 2.0, 0.01f), point("asos", "MAX 4 EPS 1/256", 8.0, 0.001f),
       point("sobol", "4 spp", 1.0, 0.2f),           point("sobol", "16 spp", 4.0, 0.05f),

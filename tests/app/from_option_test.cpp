@@ -101,9 +101,7 @@ TEST_F(FromOption, FilesAreFoundFromAnywhere) {
 
 // The command line reproduces the picture that the window saves, with edited lights.
 TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
-  RenderSettings settings;
-  settings.asos.max_level = 2;
-  settings.threads = 2;
+  RenderSettings settings{.asos = {.max_level = 2}, .threads = 2};
   Previewer previewer({{}, {}}, settings);
   previewer.scene().open("builtin:boxes");
   previewer.viewpoint().set_picture_size(97, 55, 0.0);
@@ -126,8 +124,7 @@ TEST_F(FromOption, GivesTheWindowsPictureBitForBit) {
   previewer.edits().settings().sky =
       make_sky({SkyChoice::Colours{{0, 0, 1}, {1, 0.5f, 0}}, "", 0}).value();
   ASSERT_TRUE(finish());
-  DisplaySettings display;
-  display.exposure_ev = -0.4f;
+  DisplaySettings display{.exposure_ev = -0.4f};
   ASSERT_TRUE(write_png(path("window.png"), previewer.render().film(), display.transform(),
                         screenshot_text(previewer, display)));
   const AsosRun again = render({"--from", path("window.png")}, "again.png");
@@ -170,8 +167,7 @@ TEST_F(FromOption, ErrorsNameTheFile) {
   EXPECT_TRUE(contains(run.err, path("missing.png")));
 
   RgbImage lost = image;
-  PictureDescription d;
-  d.scene = "/nowhere/at all.glb";
+  PictureDescription d{.scene = "/nowhere/at all.glb"};
   lost.text = {{PictureDescription::key, description_text(d)}};
   ASSERT_TRUE(write_png(path("lost.png"), lost));
   run = render({"--from", path("lost.png")}, "x.png");

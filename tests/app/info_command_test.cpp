@@ -20,11 +20,7 @@ using test::contains;
 using test::run_asos;
 
 Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_rad = 0.0) {
-  Light light;
-  light.type = type;
-  light.radius = radius;
-  light.angular_diameter_rad = angular_diameter_rad;
-  return light;
+  return {.type = type, .radius = radius, .angular_diameter_rad = angular_diameter_rad};
 }
 
 ordered_json info_of(const Scene& scene) {

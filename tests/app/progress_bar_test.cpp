@@ -9,10 +9,7 @@ namespace asos {
 namespace {
 
 Progress progress_at(double fraction, double seconds_left) {
-  Progress progress;
-  progress.fraction = fraction;
-  progress.seconds_left = seconds_left;
-  return progress;
+  return {.fraction = fraction, .seconds_left = seconds_left};
 }
 
 TEST(ProgressBar, ShowsShareAndTimeLeft) {

@@ -20,20 +20,15 @@ using test::contains;
 
 StudyPoint point(const std::string& method, const std::string& setting, double seconds,
                  double rmse) {
-  StudyPoint p;
-  p.rung.method = method;
-  p.rung.setting = setting;
-  p.rung.curve = method;
-  p.costs = {{seconds, seconds, 1.0}};
-  p.measures.rmse = rmse;
-  return p;
+  return {.rung = {.method = method, .setting = setting, .curve = method},
+          .costs = {{seconds, seconds, 1.0}},
+          .measures = {.rmse = rmse}};
 }
 
 /// Times of the paper's suite for the office. ASOS: 2 s and 3 s; stochastic sampling: 6 s with 16
 /// samples, 24 s with 64.
 StudyReport paper_report() {
-  StudyReport report;
-  report.plan.paper = true;
+  StudyReport report{.plan = {.paper = true}};
   report.machines.push_back({});
   SceneReport office;
   office.study.scene = "builtin:office";

@@ -15,9 +15,7 @@ constexpr std::size_t noisy = 20;  // in the left block
 /// Pixel `noisy` has a squared error of 1, 1/8, 1/64 after 1, 4, 16 samples. All others are right
 /// from the start. Exact pixels have no error. Each block takes 6.4 s, a sample 0.01 s.
 MeasuredPicture one_noisy_pixel() {
-  MeasuredPicture picture;
-  picture.width = 16;
-  picture.height = 8;
+  MeasuredPicture picture{.width = 16, .height = 8};
   double error = 1.0;
   for (const int samples : {1, 4, 16}) {
     MeasuredPicture::Round round{samples, std::vector<double>(count, 0.0), {}};
@@ -41,8 +39,7 @@ double rmse(double squared_error) {
 }
 
 TEST(ScheduleReplay, TakesSamplesOfPixelsWithError) {
-  Schedule schedule;
-  schedule.exact = Schedule::Exact::none;
+  Schedule schedule{.exact = Schedule::Exact::none};
   const auto curve = replayed(one_noisy_pixel(), schedule);
   EXPECT_DOUBLE_EQ(curve.front().seconds, 2.0);
   EXPECT_DOUBLE_EQ(curve.front().error, rmse(1.0 / 8.0));
@@ -54,8 +51,7 @@ TEST(ScheduleReplay, TakesSamplesOfPixelsWithError) {
 }
 
 TEST(ScheduleReplay, LimitsSamplesByTheTimeOfTheirBlock) {
-  Schedule schedule;
-  schedule.exact = Schedule::Exact::none;
+  Schedule schedule{.exact = Schedule::Exact::none};
   schedule.most_samples = 0.05;  // 0.32 s of a block: two pixels
   const auto curve = replayed(one_noisy_pixel(), schedule);
   EXPECT_NEAR(curve.back().seconds, 2.0 + 2 * 12 * 0.01, 1e-9);
@@ -64,17 +60,14 @@ TEST(ScheduleReplay, LimitsSamplesByTheTimeOfTheirBlock) {
 // The left block's expected time is 12.8 s * (1 + r) / (2 + r). r, the sum of its errors' roots, is
 // 0.38^(1/4) + 8 * 0.23^(1/4) = 6.3.
 TEST(ScheduleReplay, ExpectsMoreTimeOfABlockWithErrors) {
-  Schedule schedule;
-  schedule.exact = Schedule::Exact::none;
-  schedule.times_known = false;
+  Schedule schedule{.exact = Schedule::Exact::none, .times_known = false};
   schedule.most_samples = 0.05;  // 0.56 s of the left block: four pixels
   const auto curve = replayed(one_noisy_pixel(), schedule);
   EXPECT_NEAR(curve.back().seconds, 2.0 + 4 * 12 * 0.01, 1e-9);
 }
 
 TEST(ScheduleReplay, RendersTheBlockWithTheErrorFirst) {
-  Schedule schedule;
-  schedule.samples = false;
+  Schedule schedule{.samples = false};
   const auto curve = replayed(one_noisy_pixel(), schedule);
   EXPECT_NEAR(curve.back().seconds, 2.0 + 2 * 6.4, 1e-9);
   EXPECT_NEAR(replayed_error_at(curve, 2.0 + 6.4), 0.0, 1e-6);
@@ -82,11 +75,8 @@ TEST(ScheduleReplay, RendersTheBlockWithTheErrorFirst) {
 }
 
 TEST(ScheduleReplay, RendersExactPixelsAfterASearchOfTheirBlock) {
-  Schedule schedule;
-  schedule.samples = false;
-  schedule.exact = Schedule::Exact::pixels;
-  schedule.search = 0.1;
-  schedule.dearer = 2.0;
+  Schedule schedule{
+      .samples = false, .exact = Schedule::Exact::pixels, .search = 0.1, .dearer = 2.0};
   const auto curve = replayed(one_noisy_pixel(), schedule);
   const double search = 0.64, pixel = 0.9 * 2.0 * 0.1;
   // First the pixel with its neighbours, or the pixel alone; then the rest of both blocks.
@@ -97,11 +87,7 @@ TEST(ScheduleReplay, RendersExactPixelsAfterASearchOfTheirBlock) {
 }
 
 TEST(ScheduleReplay, VisitsABlockAtMostSoManyTimes) {
-  Schedule schedule;
-  schedule.samples = false;
-  schedule.exact = Schedule::Exact::pixels;
-  schedule.search = 0.1;
-  schedule.visits = 1;
+  Schedule schedule{.samples = false, .exact = Schedule::Exact::pixels, .search = 0.1, .visits = 1};
   const auto curve = replayed(one_noisy_pixel(), schedule);
   EXPECT_NEAR(curve.back().seconds, 2.0 + 2 * 0.64 + count * 0.09, 1e-9);
 }

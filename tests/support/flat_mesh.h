@@ -11,9 +11,8 @@ inline void place(Scene& scene, Mesh mesh, const Material& material,
                   const glm::dmat4& world_from_mesh = glm::dmat4(1.0)) {
   mesh.material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(material);
-  Instance instance;
-  instance.mesh = static_cast<int>(scene.meshes.size());
-  instance.world_from_mesh = world_from_mesh;
+  Instance instance{.mesh = static_cast<int>(scene.meshes.size()),
+                    .world_from_mesh = world_from_mesh};
   scene.meshes.push_back(std::move(mesh));
   scene.instances.push_back(instance);
 }
@@ -32,10 +31,8 @@ inline Mesh slanted_strip(double left, double right, double slope, double half, 
 
 /// A wall half a unit in front of the first camera, far larger than its view.
 inline void add_wall_before_camera(Scene& scene) {
-  Material material;
-  material.base_color = glm::vec4(glm::vec3(0.7f), 1.0f);
-  material.metallic = 0.0f;
-  material.double_sided = true;
+  Material material{
+      .base_color = glm::vec4(glm::vec3(0.7f), 1.0f), .metallic = 0.0f, .double_sided = true};
   place(scene, slanted_strip(-9.0, 9.0, 0.0, 9.0, -0.5), material,
         scene.cameras.front().world_from_camera);
 }

@@ -16,9 +16,7 @@ namespace asos::test {
 
 /// A unit sphere of 2 * rings * (rings - 1) triangles, smooth or without normals.
 inline Mesh ball_mesh(std::uint32_t rings, bool smooth, int material) {
-  Mesh mesh;
-  mesh.name = smooth ? "ball" : "gem";
-  mesh.material = material;
+  Mesh mesh{.name = smooth ? "ball" : "gem", .material = material};
   const std::uint32_t sides = rings;
   for (std::uint32_t r = 0; r <= rings; ++r) {
     for (std::uint32_t s = 0; s < sides; ++s) {
@@ -54,14 +52,9 @@ inline glm::dmat4 place_of(int i, int columns, double spacing) {
 /// `count` instances of two alternating meshes over a floor; some overlap. The second mesh is a
 /// mirror. A rectangle lights the scene.
 inline Scene instanced_scene(int count, std::uint32_t rings, double spacing = 1.0) {
-  Scene scene;
-  scene.source = "instances";
-  Material matte;
-  matte.metallic = 0.0f;
-  matte.base_color = {0.7f, 0.5f, 0.3f, 1.0f};
-  Material mirror;
-  mirror.roughness = 0.0f;
-  mirror.base_color = {0.8f, 0.9f, 0.9f, 1.0f};
+  Scene scene{.source = "instances"};
+  Material matte{.base_color = {0.7f, 0.5f, 0.3f, 1.0f}, .metallic = 0.0f};
+  Material mirror{.base_color = {0.8f, 0.9f, 0.9f, 1.0f}, .roughness = 0.0f};
   scene.materials = {matte, mirror};
   scene.meshes = {ball_mesh(rings, true, 0), ball_mesh(rings, false, 1)};
   const int columns = static_cast<int>(std::ceil(std::sqrt(count)));

@@ -6,11 +6,7 @@ namespace asos::test {
 
 /// Settings of a picture of this size.
 inline RenderSettings make_settings(int width, int height, Method method = Method::asos) {
-  RenderSettings settings;
-  settings.width = width;
-  settings.height = height;
-  settings.method = method;
-  return settings;
+  return {.width = width, .height = height, .method = method};
 }
 
 /// Settings of a picture by a method that takes `spp` samples per pixel.

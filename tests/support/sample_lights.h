@@ -52,7 +52,6 @@ namespace asos::test {
   light.radius = radius;
   return light;
 }
-
 [[nodiscard]] inline Light rectangle_light() {
   Light light = light_above_origin("rectangle", Light::Type::rectangle);
   light.half_u = {0.8, 0, 0};

@@ -56,10 +56,9 @@ class ShadowFixture {
 
   /// Visibility of the light from a receiver, 0 to 1, for a leaf that is a whole pixel.
   [[nodiscard]] double visibility(const Receiver& receiver) {
-    SurfacePoint point;
-    point.position = glm::vec3(receiver.position);
-    point.shading_normal = glm::vec3(receiver.normal);
-    point.geometric_normal = glm::vec3(receiver.geometric);
+    SurfacePoint point{.position = glm::vec3(receiver.position),
+                       .geometric_normal = glm::vec3(receiver.geometric),
+                       .shading_normal = glm::vec3(receiver.normal)};
     const Frame facing = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
     return visibility(point, facing, leaf_of({{0.0f, 0.0f, 1.0f}, {}}, 1.0f, 1), 1);
   }
@@ -71,13 +70,12 @@ class ShadowFixture {
     const ShadowScene scene{world_, features_, rays_};
     ShadowGroups groups(scene);
     groups.reset(1);
-    ShadowContext block;
-    block.scene = &scene;
-    block.rules = rules_;
-    block.frame = &eye;
-    block.view = &view_;
-    block.groups = &groups;
-    block.work = &work_;
+    ShadowContext block{.scene = &scene,
+                        .rules = rules_,
+                        .frame = &eye,
+                        .view = &view_,
+                        .groups = &groups,
+                        .work = &work_};
     return light_visibility(block, {light_, 0, point, glm::vec3(1.0f), glm::vec3(1.0f), layer},
                             leaf, counts_)
         .value.x;

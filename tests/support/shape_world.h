@@ -14,9 +14,8 @@ namespace asos::test {
 /// Adds a shape; all triangles must precede.
 inline void add_shape(World& world, const Shape& shape, const glm::dmat4& world_from_shape,
                       const Material& material) {
-  Part part;
-  part.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
-  part.material = static_cast<std::uint32_t>(world.materials.size());
+  Part part{.first_triangle = static_cast<std::uint32_t>(world.triangles.size()),
+            .material = static_cast<std::uint32_t>(world.materials.size())};
   world.materials.push_back(material);
   for (ShapeFace face : place_shape(shape, world_from_shape)) {
     face.part = static_cast<std::uint32_t>(world.parts.size());
@@ -32,10 +31,7 @@ inline void add_shape(World& world, const Shape& shape, const glm::dmat4& world_
 }
 
 inline Shape sphere(double radius) {
-  Shape shape;
-  shape.type = Shape::Type::sphere;
-  shape.radius = radius;
-  return shape;
+  return {.type = Shape::Type::sphere, .radius = radius};
 }
 
 inline Shape disk(double radius) {
@@ -45,12 +41,8 @@ inline Shape disk(double radius) {
 }
 
 inline Shape cylinder(double height, double bottom, double top) {
-  Shape shape;
-  shape.type = Shape::Type::cylinder;
-  shape.height = height;
-  shape.radius_bottom = bottom;
-  shape.radius_top = top;
-  return shape;
+  return {
+      .type = Shape::Type::cylinder, .height = height, .radius_bottom = bottom, .radius_top = top};
 }
 
 }  // namespace asos::test

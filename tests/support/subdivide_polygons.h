@@ -61,9 +61,7 @@ inline const SubdivisionVariant* variant_of(Detection detection, StoppingRule ru
 inline SubdivisionRules rules_of(int max_level, double eps = 0.0, bool exact = true,
                                  StoppingRule rule = StoppingRule::unresolved,
                                  Detection detection = Detection::square) {
-  SubdivisionRules rules;
-  rules.error_budget.max_level = max_level;
-  rules.error_budget.eps = eps;
+  SubdivisionRules rules{.error_budget = {.max_level = max_level, .eps = eps}};
   if (!exact || rule != StoppingRule::unresolved || detection != Detection::square)
     rules.variant = variant_of(detection, rule, exact ? LeafKind::exact : LeafKind::point);
   return rules;

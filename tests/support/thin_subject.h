@@ -28,12 +28,9 @@ inline constexpr double thin_width = 1.0 / 8.0;  // pixels
 /// The subject with its centre line x pixels from the picture's centre, and a camera for pictures
 /// of `size` x `size` pixels of one unit.
 inline Scene thin_scene(const ThinSubject& subject, double x, int size) {
-  Scene scene;
-  scene.source = "thin";
+  Scene scene{.source = "thin"};
   const auto add = [&](const Mesh& mesh, float grey) {
-    Material material;
-    material.base_color = glm::vec4(glm::vec3(grey), 1.0f);
-    material.unlit = true;
+    Material material{.base_color = glm::vec4(glm::vec3(grey), 1.0f), .unlit = true};
     place(scene, mesh, material);
   };
   const double far = 4.0 * size;
@@ -47,9 +44,7 @@ inline Scene thin_scene(const ThinSubject& subject, double x, int size) {
   } else {
     add(slanted_strip(left, right, subject.slope, half, 0.0), 0.9f);
   }
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.height = size;
+  Camera camera{.type = Camera::Type::orthographic, .height = 1.0 * size};
   camera.world_from_camera[3] = glm::dvec4(0, 0, 20, 1);
   scene.cameras.push_back(camera);
   return scene;

@@ -13,9 +13,7 @@ namespace asos::test {
 using Texel = std::array<std::uint8_t, 4>;
 
 inline Image make_image(int width, int height, const std::function<Texel(int, int)>& texel) {
-  Image image;
-  image.width = width;
-  image.height = height;
+  Image image{.width = width, .height = height};
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       for (const std::uint8_t byte : texel(x, y)) image.rgba.own().push_back(byte);

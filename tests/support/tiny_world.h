@@ -26,12 +26,11 @@ struct TinyVertex {
 /// Adds one part; returns its index.
 inline std::uint32_t add_part(World& world, const std::vector<TinyVertex>& vertices,
                               const std::vector<glm::uvec3>& triangles, const Material& material) {
-  Part part;
-  part.first_vertex = static_cast<std::uint32_t>(world.positions.size());
-  part.vertex_count = static_cast<std::uint32_t>(vertices.size());
-  part.first_triangle = static_cast<std::uint32_t>(world.triangles.size());
-  part.triangle_count = static_cast<std::uint32_t>(triangles.size());
-  part.material = static_cast<std::uint32_t>(world.materials.size());
+  Part part{.first_triangle = static_cast<std::uint32_t>(world.triangles.size()),
+            .triangle_count = static_cast<std::uint32_t>(triangles.size()),
+            .first_vertex = static_cast<std::uint32_t>(world.positions.size()),
+            .vertex_count = static_cast<std::uint32_t>(vertices.size()),
+            .material = static_cast<std::uint32_t>(world.materials.size())};
   world.materials.push_back(material);
   for (const TinyVertex& v : vertices) {
     world.positions.push_back(v.position);
@@ -99,24 +98,17 @@ inline void add_sphere(World& world, glm::vec3 centre, float radius, int rings,
 }
 
 inline Material matte(glm::vec3 color) {
-  Material m;
-  m.base_color = glm::vec4(color, 1.0f);
-  m.metallic = 0.0f;
-  m.roughness = 1.0f;
-  return m;
+  return {.base_color = glm::vec4(color, 1.0f), .metallic = 0.0f, .roughness = 1.0f};
 }
 
 inline Material unlit(glm::vec3 color, float alpha = 1.0f) {
-  Material m;
-  m.base_color = glm::vec4(color, alpha);
-  m.unlit = true;
+  Material m{.base_color = glm::vec4(color, alpha), .unlit = true};
   if (alpha < 1.0f) m.alpha_mode = AlphaMode::blend;
   return m;
 }
 
 inline int add_texture(World& world, Image image, Wrap wrap, Filter filter) {
-  Texture texture;
-  texture.image = static_cast<int>(world.images.size());
+  Texture texture{.image = static_cast<int>(world.images.size())};
   texture.wrap_u = texture.wrap_v = wrap;
   texture.filter = filter;
   world.images.push_back(std::move(image));
@@ -135,8 +127,7 @@ inline void leave_cut_outs_to_samples(World& world) {
 inline Camera look_at(glm::dvec3 eye, glm::dvec3 target, double fov_y_rad) {
   const glm::dvec3 back = glm::normalize(eye - target);
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
-  Camera camera;
-  camera.fov_y_rad = fov_y_rad;
+  Camera camera{.fov_y_rad = fov_y_rad};
   camera.world_from_camera =
       glm::dmat4(glm::dvec4(right, 0), glm::dvec4(glm::cross(back, right), 0), glm::dvec4(back, 0),
                  glm::dvec4(eye, 1));
@@ -145,9 +136,7 @@ inline Camera look_at(glm::dvec3 eye, glm::dvec3 target, double fov_y_rad) {
 
 /// Looks along -Z at the rectangle |x| <= height / 2 * aspect, |y| <= height / 2.
 inline Camera orthographic(double height) {
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.height = height;
+  Camera camera{.type = Camera::Type::orthographic, .height = height};
   camera.world_from_camera[3] = glm::dvec4(0, 0, 10, 1);
   return camera;
 }

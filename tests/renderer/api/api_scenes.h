@@ -13,8 +13,7 @@ namespace asos::api::test {
 /// An unlit white square of side `side` about (x, y, 0) that faces +Z.
 inline Result<Scene> white_square(float x, float y, float side) {
   SceneBuilder builder("square");
-  Material white;
-  white.unlit = true;
+  Material white{.unlit = true};
   const Result<int> material = builder.add_material(white);
   if (!material) return material.error();
   const float h = side / 2;
@@ -51,8 +50,7 @@ inline Light ball_lamp(float candela = 4000.0f) {
 /// A grey ball on a grey disk, far from the origin; lit by a lamp, or without a light of its own.
 inline Result<Scene> lit_ball(bool lit = true) {
   SceneBuilder builder("ball");
-  Material grey;
-  grey.base_color = {0.5f, 0.5f, 0.5f, 1.0f};
+  Material grey{.base_color = {0.5f, 0.5f, 0.5f, 1.0f}};
   const Result<int> material = builder.add_material(grey);
   if (!material) return material.error();
   Shape ball;

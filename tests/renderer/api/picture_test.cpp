@@ -183,9 +183,7 @@ TEST(ApiSettings, TakeSkiesOfTheCommandLine) {
 }
 
 TEST(ApiCamera, IsFittedToThePicture) {
-  Camera camera;
-  camera.fov_y_rad = 1.0;
-  camera.aspect_ratio = 2.0;
+  Camera camera{.fov_y_rad = 1.0, .aspect_ratio = 2.0};
   EXPECT_EQ(fitted(camera, 2.0).fov_y_rad, 1.0);
   EXPECT_EQ(fitted(camera, 4.0).fov_y_rad, 1.0);
   EXPECT_NEAR(std::tan(fitted(camera, 1.0).fov_y_rad / 2), 2.0 * std::tan(0.5), 1e-12);

@@ -50,10 +50,7 @@ TEST(ApiRender, GivesBitsOfCommandLine) {
   ASSERT_TRUE(scene);
   const auto prepared = prepare(*scene);
   ASSERT_TRUE(prepared);
-  RenderSettings of_renderer;
-  of_renderer.width = 48;
-  of_renderer.height = 32;
-  of_renderer.asos.max_level = 2;
+  RenderSettings of_renderer{.width = 48, .height = 32, .asos = {.max_level = 2}};
   of_renderer = judged_by(of_renderer, ToneCurve::neutral);
   const asos::Camera& seen = (*prepared)->world().cameras.front();
   const Film film = render_to_end({*prepared, seen, of_renderer, false}).film;
@@ -241,9 +238,7 @@ TEST(ApiLights, ReplaceDefaultLighting) {
 TEST(ApiLights, RefusesLightWithoutSize) {
   const Result<Scene> ball = test::lit_ball();
   ASSERT_TRUE(ball);
-  Light flat;
-  flat.name = "panel";
-  flat.type = LightType::rectangle;
+  Light flat{.name = "panel", .type = LightType::rectangle};
   expect_error(ball->with_lights({&flat, 1}), ErrorCode::invalid_argument, "light 'panel'");
 }
 

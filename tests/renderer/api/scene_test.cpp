@@ -100,22 +100,17 @@ TEST_F(ApiSceneBuilder, RefusesWhatDoesNotExist) {
 }
 
 TEST_F(ApiSceneBuilder, RefusesValuesOutOfRange) {
-  Material material;
-  material.name = "paint";
-  material.roughness = 1.5f;
+  Material material{.name = "paint", .roughness = 1.5f};
   expect_invalid(builder.add_material(material), "'paint': roughness 1.5 is not from 0 to 1");
   material = {};
   material.emissive[1] = nan_value;
   expect_invalid(builder.add_material(material), "emissive");
-  Shape shape;
-  shape.radius = 0.0;
+  Shape shape{.radius = 0.0};
   expect_invalid(builder.place_shape(shape, 0), "shape");
   Matrix4 matrix = identity;
   matrix[12] = std::numeric_limits<double>::infinity();
   expect_invalid(builder.place_shape({}, 0, matrix, "ball"), "'ball': its matrix is not affine");
-  Light light;
-  light.name = "lamp";
-  light.intensity = -1.0f;
+  Light light{.name = "lamp", .intensity = -1.0f};
   expect_invalid(builder.add_light(light), "light 'lamp'");
   light.intensity = 1.0f;
   light.type = LightType::spot;
@@ -124,8 +119,7 @@ TEST_F(ApiSceneBuilder, RefusesValuesOutOfRange) {
   light.type = static_cast<LightType>(17);
   light.direction = {0, 0, 5};
   expect_invalid(builder.add_light(light), "unknown type");
-  Camera camera;
-  camera.fov_y_rad = 4.0;
+  Camera camera{.fov_y_rad = 4.0};
   expect_invalid(builder.add_camera(camera), "camera");
 }
 

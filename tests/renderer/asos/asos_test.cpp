@@ -22,9 +22,7 @@ constexpr int size = 16;  // pixels; pixel (x, y) is at (x / size - 0.5, 0.5 - y
 
 Camera camera() {
   // Looks down -Z; the picture is the unit square at distance 1, with its top left at (0, 0).
-  Camera c;
-  c.fov_y_rad = 2.0 * std::atan(0.5);
-  return c;
+  return {.fov_y_rad = 2.0 * std::atan(0.5)};
 }
 
 glm::vec3 point(glm::dvec2 pixels, double depth) {
@@ -41,18 +39,13 @@ class Picture {
   }
 
   void add(const std::vector<glm::vec3>& corners, glm::vec4 color) {
-    Mesh mesh;
-    mesh.material = static_cast<int>(scene_.materials.size());
-    Material material;
-    material.unlit = true;
-    material.double_sided = true;
-    material.base_color = color;
+    Mesh mesh{.material = static_cast<int>(scene_.materials.size())};
+    Material material{.base_color = color, .double_sided = true, .unlit = true};
     scene_.materials.push_back(material);
     mesh.positions = corners;
     mesh.normals.assign(corners.size(), glm::vec3(0, 0, 1));
     for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) mesh.triangles.emplace_back(0, i, i + 1);
-    Instance instance;
-    instance.mesh = static_cast<int>(scene_.meshes.size());
+    Instance instance{.mesh = static_cast<int>(scene_.meshes.size())};
     scene_.meshes.push_back(mesh);
     scene_.instances.push_back(instance);
   }
@@ -97,10 +90,7 @@ double covered(std::vector<glm::dvec2> polygon, int x, int y) {
 }
 
 RenderSettings asos_at(int max_level) {
-  RenderSettings settings;
-  settings.asos.max_level = max_level;
-  settings.asos.eps = 0.0;
-  return settings;
+  return {.asos = {.max_level = max_level, .eps = 0.0}};
 }
 
 TEST(Asos, StraightEdgesAreExactInEveryPixel) {
@@ -215,13 +205,11 @@ TEST(Asos, KeepsUniformGreyAtEveryLevel) {
 
 TEST(Asos, OnceStoppedItCastsNoMoreRays) {
   Scene scene;
-  Mesh mesh;
-  mesh.positions = {point({1, 1}, 2.0), point({7, 2}, 2.0), point({2, 7}, 2.0)};
+  Mesh mesh{.positions = {point({1, 1}, 2.0), point({7, 2}, 2.0), point({2, 7}, 2.0)}};
   mesh.normals.assign(3, glm::vec3(0, 0, 1));
   mesh.triangles = {{0, 1, 2}};
   scene.meshes.push_back(mesh);
-  Instance instance;
-  instance.mesh = 0;
+  Instance instance{.mesh = 0};
   scene.instances.push_back(instance);
   const auto prepared = prepare(scene);
   ASSERT_TRUE(prepared.has_value());
@@ -252,8 +240,7 @@ TEST(Asos, ConvergesToTheExactPicture) {
     picture.add({c, c + side(), c + side()}, 2.0 + 0.1 * i, glm::vec4(grey, grey, grey, 1.0f));
   }
   Picture truth = picture;
-  RenderSettings settings;
-  settings.method = Method::beam;
+  RenderSettings settings{.method = Method::beam};
   truth.render(settings);
   const auto rmse = [&](int max_level) {
     Picture one = picture;

@@ -61,13 +61,10 @@ Light panel_above() {
 std::shared_ptr<const RenderScene> lit_ball(float metallic) {
   Scene scene;
   scene.meshes.push_back(ball(32));
-  Material material;
-  material.base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f);
-  material.metallic = metallic;
-  material.roughness = 1.0f;
+  Material material{
+      .base_color = glm::vec4(0.8f, 0.8f, 0.8f, 1.0f), .metallic = metallic, .roughness = 1.0f};
   scene.materials.push_back(material);
-  Instance instance;
-  instance.mesh = 0;
+  Instance instance{.mesh = 0};
   scene.instances.push_back(instance);
   scene.lights.push_back(panel_above());
   return prepare(scene).value();
@@ -106,15 +103,12 @@ std::shared_ptr<const RenderScene> patched_ball(bool behind_glass) {
   }));
   scene.textures.push_back({});
   scene.textures.front().image = 0;
-  Material material;
-  material.metallic = 0.0f;
-  material.base_color_texture.texture = 0;
+  Material material{.base_color_texture = {.texture = 0}, .metallic = 0.0f};
   test::place(scene, patched, material);
   if (behind_glass) {
-    Material clear;
-    clear.base_color = glm::vec4(1.0f, 1.0f, 1.0f, 1.0f / 1024.0f);
-    clear.alpha_mode = AlphaMode::blend;
-    clear.double_sided = true;
+    Material clear{.base_color = glm::vec4(1.0f, 1.0f, 1.0f, 1.0f / 1024.0f),
+                   .alpha_mode = AlphaMode::blend,
+                   .double_sided = true};
     test::place(scene, slanted_strip(-9.0, 9.0, 0.0, 9.0, 1.5), clear);
   }
   scene.lights.push_back(panel_above());

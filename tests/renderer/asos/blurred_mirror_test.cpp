@@ -35,12 +35,7 @@ Camera from_above() {
 }
 
 Material mirror() {
-  Material m;
-  m.base_color = glm::vec4(1.0f);
-  m.metallic = 1.0f;
-  m.roughness = 0.0f;
-  m.double_sided = true;
-  return m;
+  return {.base_color = glm::vec4(1.0f), .metallic = 1.0f, .roughness = 0.0f, .double_sided = true};
 }
 
 void blur(Material& m, double dfr) {

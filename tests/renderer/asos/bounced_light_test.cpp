@@ -40,9 +40,7 @@ std::vector<Light> shining_walls() {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       constexpr double inset = 1.0 - 1e-5;
-      Light light;
-      light.type = Light::Type::rectangle;
-      light.intensity = 1.0f;
+      Light light{.type = Light::Type::rectangle, .intensity = 1.0f};
       light.position[axis] = inset * sign;
       light.direction = glm::dvec3(0.0);
       light.direction[axis] = -sign;
@@ -89,8 +87,7 @@ TEST(BouncedLight, UnlitWallsShineOnWhatTheyEnclose) {
   unlit.unlit = true;
   add_room(world, unlit);
   add_quad(world, {-0.2f, -0.5f, 0.2f}, {0.4f, 0, 0}, {0, 0, -0.4f}, chalk(0.5f));
-  Light dark;
-  dark.intensity = 1e-9f;
+  Light dark{.intensity = 1e-9f};
   const auto scene = make_render_scene(std::move(world), {dark});
   for (const Method method : {Method::asos, Method::sobol})
     EXPECT_NEAR(brightness(*scene, method, 1), 0.5 * 0.6, 1e-3);
@@ -104,8 +101,7 @@ TEST(BouncedLight, SkyLitWallLightsTheFloor) {
   add_quad(world, {0.5f, 0, 1000}, {0, 0, -2000}, {0, static_cast<float>(height), 0},
            chalk(static_cast<float>(albedo)));
   add_quad(world, {-0.1f, 0, 0.1f}, {0.2f, 0, 0}, {0, 0, -0.2f}, chalk(static_cast<float>(albedo)));
-  Light dark;
-  dark.intensity = 1e-9f;
+  Light dark{.intensity = 1e-9f};
   const auto scene = make_render_scene(std::move(world), {dark});
   const double hidden = 0.5 * (1.0 - 0.5 / std::hypot(0.5, height));
   // Below the horizon there is only sky, of the same radiance: it lights the wall's face half from

@@ -21,11 +21,7 @@ const glm::vec3 outer(0.9f, 0.0f, 0.0f), inner(0.0f, 0.0f, 0.7f), back(0.0f, 0.8
 
 /// Looks along -z from the origin, 90 degrees wide, or 4 units if orthographic.
 Camera camera_of(Camera::Type type) {
-  Camera camera;
-  camera.type = type;
-  camera.fov_y_rad = 0.5 * std::numbers::pi;
-  camera.height = 4.0;
-  return camera;
+  return {.type = type, .fov_y_rad = 0.5 * std::numbers::pi, .height = 4.0};
 }
 
 Camera with_planes(Camera camera, std::optional<double> near, std::optional<double> far) {
@@ -154,10 +150,7 @@ TEST(ClipPlanes, CutAPlaneAlongAnyLine) {
 
 TEST(ClipPlanes, ClippedSurfacesAppearInMirrors) {
   World world;
-  Material mirror;
-  mirror.base_color = glm::vec4(1.0f);
-  mirror.metallic = 1.0f;
-  mirror.roughness = 0.0f;
+  Material mirror{.base_color = glm::vec4(1.0f), .metallic = 1.0f, .roughness = 0.0f};
   add_quad(world, {-9, -9, -5}, {18, 0, 0}, {0, 18, 0}, mirror);
   add_quad(world, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, card(outer));
   const auto scene = make_render_scene(std::move(world));

@@ -27,11 +27,8 @@ constexpr int width = 40;
 constexpr int height = 30;
 
 Material mirror(float roughness) {
-  Material m;
-  m.base_color = glm::vec4(0.95f, 0.95f, 0.95f, 1.0f);
-  m.metallic = 1.0f;
-  m.roughness = roughness;
-  return m;
+  return {
+      .base_color = glm::vec4(0.95f, 0.95f, 0.95f, 1.0f), .metallic = 1.0f, .roughness = roughness};
 }
 
 Material shown(glm::vec3 colour) {
@@ -67,11 +64,7 @@ double rmse(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
 }
 
 RenderSettings sobol(int spp, int seed = 0) {
-  RenderSettings settings;
-  settings.method = Method::sobol;
-  settings.sampling.spp = spp;
-  settings.seed = seed;
-  return settings;
+  return {.method = Method::sobol, .sampling = {.spp = spp}, .seed = seed};
 }
 
 class EveryCurvedMirror : public testing::TestWithParam<CurvedMirror> {};
@@ -79,10 +72,8 @@ class EveryCurvedMirror : public testing::TestWithParam<CurvedMirror> {};
 TEST_P(EveryCurvedMirror, ConvergesToTheReference) {
   const auto scene = ball(mirror(0.0f));
   const auto reference = picture(*scene, sobol(4096));
-  RenderSettings settings;
-  settings.asos.eps = 0.0;
-  settings.mirror.curved = GetParam();
-  settings.mirror.widest_angle_deg = 4.0;
+  RenderSettings settings{.asos = {.eps = 0.0},
+                          .mirror = {.curved = GetParam(), .widest_angle_deg = 4.0}};
   // The reference's noise, estimated from the difference to a reference with another seed.
   const double noise = rmse(picture(*scene, sobol(4096, 1)), reference);
   std::vector<double> errors;
@@ -111,9 +102,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryCurvedMirror,
 TEST(CurvedMirror, ConvergesWhenItIsRough) {
   const auto scene = ball(mirror(0.2f));
   const auto reference = picture(*scene, sobol(2048));
-  RenderSettings settings;
-  settings.asos.eps = 0.0;
-  settings.asos.max_level = 1;
+  RenderSettings settings{.asos = {.max_level = 1, .eps = 0.0}};
   const double first = rmse(picture(*scene, settings), reference);
   settings.asos.max_level = 4;
   const double last = rmse(picture(*scene, settings), reference);

@@ -23,11 +23,8 @@ namespace {
 constexpr double eps = 1.0 / 256.0;
 
 Material metal(float roughness) {
-  Material m;
-  m.base_color = glm::vec4(0.9f, 0.9f, 0.9f, 1.0f);
-  m.metallic = 1.0f;
-  m.roughness = roughness;
-  return m;
+  return {
+      .base_color = glm::vec4(0.9f, 0.9f, 0.9f, 1.0f), .metallic = 1.0f, .roughness = roughness};
 }
 
 /// A wall of this material that fills the view along -Z, which is 16 units high.
@@ -116,8 +113,7 @@ TEST(ErrorTerms, MirrorSpreadsWithItsCurvature) {
   EXPECT_GT(whole, 4.0 * eps);
   EXPECT_LT(ball.terms().mirror(ball.leaf(1, 1, 0.5f)).error, 0.3 * whole);
   EXPECT_EQ(plane.terms().mirror(plane.leaf(1, 1)).error, 0.0);
-  RenderSettings none;
-  none.mirror.bounces = 0;
+  RenderSettings none{.mirror = {.bounces = 0}};
   World again;
   add_sphere(again, {0, 0, 0}, 5.0f, 24, metal(0.0f));
   const EyeBlock blind = block_of(std::move(again), {}, none);

@@ -13,10 +13,7 @@ namespace asos::test::highlight_rays_test {
 namespace {
 
 Material metal() {
-  Material m;
-  m.metallic = 1.0f;
-  m.roughness = 0.3f;
-  return m;
+  return {.metallic = 1.0f, .roughness = 0.3f};
 }
 
 /// A metal wall opposite a panel behind the camera. A plate hides the panel at coordinates above x.

@@ -16,10 +16,7 @@ constexpr int side = 24;
 
 /// A camera in the plane z = 0 that sees 4 x 4 units along -z.
 Camera in_plane() {
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.height = 4.0;
-  return camera;
+  return {.type = Camera::Type::orthographic, .height = 4.0};
 }
 
 /// A slope over the whole view that crosses the plane along a line; the part above it is in front

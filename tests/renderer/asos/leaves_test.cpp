@@ -49,9 +49,7 @@ EyeBlock block_of(World world, std::vector<Light> lights, RenderSettings setting
 }
 
 RenderSettings at_max(int max_level) {
-  RenderSettings settings;
-  settings.asos.max_level = max_level;
-  return settings;
+  return {.asos = {.max_level = max_level}};
 }
 
 PyrayLeaf pixel_leaf(const EyeBlock& block, int x, int y, double weight = 1.0) {
@@ -174,11 +172,7 @@ TEST(LeafChooser, KeepsTheLeafOfItsDecisionWithItsBorder) {
 }
 
 Material metal(glm::vec3 color, float roughness) {
-  Material m;
-  m.base_color = glm::vec4(color, 1.0f);
-  m.metallic = 1.0f;
-  m.roughness = roughness;
-  return m;
+  return {.base_color = glm::vec4(color, 1.0f), .metallic = 1.0f, .roughness = roughness};
 }
 
 // A hair of shiny metal lies below a half hidden panel. Its highlight is unsure, so it is sampled.

@@ -21,10 +21,7 @@ inline constexpr double focus = 4.0;
 
 /// Looks along -z from the origin.
 inline Camera camera_with(double radius, int blades = 0) {
-  Camera camera;
-  camera.fov_y_rad = 2.0 * std::atan(0.5 * side * pixel);
-  camera.lens = {radius, focus, blades, 0.25};
-  return camera;
+  return {.fov_y_rad = 2.0 * std::atan(0.5 * side * pixel), .lens = {radius, focus, blades, 0.25}};
 }
 
 /// Aperture radius for a circle of confusion of `pixels` at a depth.

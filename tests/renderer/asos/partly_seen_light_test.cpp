@@ -85,10 +85,7 @@ TEST(PartlySeenLight, IsUnoccludedByObjectsInsideASphereLight) {
 
 // Inside a sphere light, light comes from everywhere, and a wall occludes some of it.
 TEST(PartlySeenLight, IsOccludedByAWallInsideASphereLight) {
-  Light ball;
-  ball.type = Light::Type::point;
-  ball.radius = 3.0;
-  ball.intensity = 20.0f;
+  Light ball{.type = Light::Type::point, .intensity = 20.0f, .radius = 3.0};
   World world;
   add_quad(world, glm::vec3(-1, 0, 1), glm::vec3(2, 0, 0), glm::vec3(0, 0, -2),
            matte(glm::vec3(0.8f)));

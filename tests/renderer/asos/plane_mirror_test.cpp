@@ -24,11 +24,8 @@ constexpr int width = 48;
 constexpr int height = 40;
 
 Material mirror(double dfr = 1.0) {
-  Material m;
-  m.base_color = glm::vec4(1.0f);
-  m.metallic = 1.0f;
-  m.roughness = 0.0f;
-  m.double_sided = true;
+  Material m{
+      .base_color = glm::vec4(1.0f), .metallic = 1.0f, .roughness = 0.0f, .double_sided = true};
   if (dfr < 1.0) {
     m.dfr.emplace();
     m.dfr->rgb.fill({dfr, dfr, 1.0});

@@ -85,14 +85,12 @@ glm::mat3 random_turn(std::mt19937& random) {
 class RoughScene {
  public:
   Mesh& add(const Solid& solid, const Material& material) {
-    Mesh mesh;
-    mesh.positions = solid.positions;
+    Mesh mesh{.positions = solid.positions};
     mesh.normals.assign(solid.positions.size(), glm::vec3(0, 0, 1));
     mesh.triangles = solid.triangles;
     mesh.material = static_cast<int>(scene_.materials.size());
     scene_.materials.push_back(material);
-    Instance instance;
-    instance.mesh = static_cast<int>(scene_.meshes.size());
+    Instance instance{.mesh = static_cast<int>(scene_.meshes.size())};
     scene_.instances.push_back(instance);
     scene_.meshes.push_back(std::move(mesh));
     return scene_.meshes.back();
@@ -286,8 +284,7 @@ TEST(RoughMeshes, ContinuousTexturesNeedNoSeam) {
     for (int i = 0; i < 4 * 256; ++i)
       image.rgba.own().push_back(i % 4 == 3 ? 255 : static_cast<std::uint8_t>(random() % 256));
     rough.scene().images.push_back(image);
-    Texture texture;
-    texture.image = 0;
+    Texture texture{.image = 0};
     rough.scene().textures.push_back(texture);
     return rough.prepared();
   };

@@ -50,13 +50,11 @@ Camera camera_of(const Case& c) {
 }
 
 Material mirror_of(const Case& c) {
-  Material m;
-  m.base_color = glm::vec4(glm::vec3(c.f0 < 1.0 ? 0.0f : 1.0f), 1.0f);
-  m.metallic = c.f0 < 1.0 ? 0.0f : 1.0f;
-  m.roughness = static_cast<float>(c.roughness);
-  m.anisotropy.strength = static_cast<float>(c.anisotropy);
-  m.double_sided = true;
-  return m;
+  return {.base_color = glm::vec4(glm::vec3(c.f0 < 1.0 ? 0.0f : 1.0f), 1.0f),
+          .metallic = c.f0 < 1.0 ? 0.0f : 1.0f,
+          .roughness = static_cast<float>(c.roughness),
+          .double_sided = true,
+          .anisotropy = {.strength = static_cast<float>(c.anisotropy)}};
 }
 
 /// A mirror below the dark half-plane x < 0.

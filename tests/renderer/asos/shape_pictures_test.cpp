@@ -28,10 +28,8 @@ Material white() {
 }
 
 Camera looking(glm::dvec3 from, glm::dvec3 at) {
-  Camera camera;
-  camera.world_from_camera = glm::inverse(glm::lookAt(from, at, glm::dvec3(0, 1, 0)));
-  camera.fov_y_rad = 0.6;
-  return camera;
+  return {.world_from_camera = glm::inverse(glm::lookAt(from, at, glm::dvec3(0, 1, 0))),
+          .fov_y_rad = 0.6};
 }
 
 /// Fraction of a pixel inside a conic. Along a line of the picture the conic's value is a parabola,

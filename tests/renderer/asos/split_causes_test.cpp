@@ -70,9 +70,7 @@ Light sun_from_the_right() {
 }
 
 PixelFindings split_pixel() {
-  PixelFindings pixel;
-  pixel.outcome.deepest = 1;
-  return pixel;
+  return {.outcome = {.deepest = 1}};
 }
 
 TEST(CauseOf, WhatWasNotSplitHasNone) {
@@ -178,8 +176,7 @@ TEST(SplitCauses, TheShadowOfASmallLightOfSomeSizeIsSplit) {
   World world;
   add_wall(world);
   add_quad(world, {0.13f, -9, 0.4f}, {9, 0, 0}, {0, 18, 0}, matte(glm::vec3(0.8f)));
-  Light light;
-  light.radius = 0.05;
+  Light light{.radius = 0.05};
   light.intensity = 120.0f;  // so bright that it needs more than a few rays
   light.position = {-6, 0, 3};
   const Picture hidden = render({world, {light}});
@@ -197,10 +194,7 @@ TEST(SplitCauses, TheShadowOfASmallLightOfSomeSizeIsSplit) {
 World wall_behind_a_cut_out() {
   World world;
   add_wall(world);
-  Image image;
-  image.width = 2;
-  image.height = 1;
-  image.rgba = {255, 255, 255, 0, 255, 255, 255, 255};
+  Image image{.width = 2, .height = 1, .rgba = {255, 255, 255, 0, 255, 255, 255, 255}};
   Material material = unlit(glm::vec3(1.0f));
   material.alpha_mode = AlphaMode::mask;
   material.base_color_texture.texture =

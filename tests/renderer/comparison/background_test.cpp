@@ -157,10 +157,7 @@ TEST(Background, ABlurredSkyIsItsMeanAroundADirection) {
 
 // A mirror in front of the camera reflects the sky behind it, not the background.
 TEST(Background, MirrorsSeeTheEnvironment) {
-  Material mirror;
-  mirror.base_color = glm::vec4(1.0f);
-  mirror.metallic = 1.0f;
-  mirror.roughness = 0.0f;
+  Material mirror{.base_color = glm::vec4(1.0f), .metallic = 1.0f, .roughness = 0.0f};
   const auto scene = test::make_render_scene(half_plane(mirror));
   for (const Method method : {Method::asos, Method::sobol}) {
     RenderSettings settings = test::settings_for(method);
@@ -185,8 +182,7 @@ TEST(Background, BlendedSurfacesLetItThroughByTheirOpacity) {
 }
 
 TEST(Background, IsCheckedLikeAllSettings) {
-  RenderSettings settings;
-  settings.background.kind = BackgroundKind::colours;
+  RenderSettings settings{.background = {.kind = BackgroundKind::colours}};
   EXPECT_TRUE(validated(settings));
   for (const float bad : {-0.1f, 2e6f, NAN, INFINITY}) {
     settings.background.bottom.y = bad;

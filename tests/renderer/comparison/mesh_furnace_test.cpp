@@ -149,10 +149,7 @@ double worst(const Furnace& f, Method method) {
   const Camera camera = camera_of(f);
   const View view(camera, side, side);
   const Film film = render_picture(*scene, camera, settings).film;
-  ShadingSettings shading;
-  shading.sky = settings.sky.get();
-  shading.sky_shadows = true;
-  shading.reflections = 16;
+  ShadingSettings shading{.sky_shadows = true, .sky = settings.sky.get(), .reflections = 16};
   const Shader shader(scene->world(), scene->render_features, scene->rays(), *scene->lighting,
                       shading);
   double most = 0.0;

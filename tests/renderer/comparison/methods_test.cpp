@@ -58,8 +58,7 @@ TEST(Methods, ThoseThatAdaptJudgeByTheCurveThatIsShown) {
 
 /// A new method needs only its function and its row in the table.
 BlockResult render_block_checkered(const BlockJob& job) {
-  BlockResult result;
-  result.tile.rect = job.block;
+  BlockResult result{.tile = {.rect = job.block}};
   for (int y = job.block.y; y < job.block.y + job.block.height; ++y) {
     for (int x = job.block.x; x < job.block.x + job.block.width; ++x) {
       result.tile.radiance.emplace_back((x + y) % 2 == 0 ? 0.0f : 1.0f);
@@ -101,8 +100,7 @@ TEST(MethodTable, HasARowForEachMethod) {
     EXPECT_NE(row.render, nullptr) << row.name;
     names.insert(row.name);
     titles.insert(row.title);
-    RenderSettings settings;
-    settings.method = row.value;
+    RenderSettings settings{.method = row.value};
     EXPECT_TRUE(validated(settings).has_value()) << row.name;
     EXPECT_EQ(block_side(settings) % block_size, 0) << row.name;
   }
@@ -223,10 +221,7 @@ TEST(Random, IsAFunctionOfItsKeysAndEven) {
 
 TEST(Settings, DefaultsAndEdgesAreValid) {
   EXPECT_TRUE(validated(RenderSettings{}).has_value());
-  RenderSettings s;
-  s.crop = {1270, 0, 10, 720};
-  s.asos.max_level = 8;
-  s.asos.eps = 0.0;
+  RenderSettings s{.crop = {1270, 0, 10, 720}, .asos = {.max_level = 8, .eps = 0.0}};
   ASSERT_TRUE(validated(s).has_value());
   EXPECT_EQ(*validated(s), s);
   EXPECT_EQ(s.visible(), s.crop);
@@ -261,15 +256,12 @@ TEST(Settings, EachMistakeIsNamed) {
 }
 
 TEST(Prepare, LightsASceneWithoutLights) {
-  Scene scene;
-  scene.source = "test";
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  Scene scene{.source = "test"};
+  Mesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
   mesh.normals.assign(3, {0, 0, 1});
   mesh.triangles = {{0, 1, 2}};
   scene.meshes.push_back(mesh);
-  Instance instance;
-  instance.mesh = 0;
+  Instance instance{.mesh = 0};
   scene.instances.push_back(instance);
   const auto prepared = prepare(scene);
   ASSERT_TRUE(prepared.has_value()) << prepared.error().message();

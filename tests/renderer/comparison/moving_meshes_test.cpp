@@ -34,9 +34,7 @@ struct Shot {
 };
 
 Camera camera_of(const Shot& shot) {
-  Camera camera;
-  camera.fov_y_rad = 2.0 * std::atan(0.5 * shot.height * shot.pixel() / depth);
-  return camera;
+  return {.fov_y_rad = 2.0 * std::atan(0.5 * shot.height * shot.pixel() / depth)};
 }
 
 RenderSettings settings_of(const Shot& shot, Method method) {
@@ -74,8 +72,7 @@ Mesh pole_of(const Shot& shot) {
 }
 
 std::shared_ptr<PosedBy> rig_of(const Shot& shot) {
-  Scene scene;
-  scene.source = "pole";
+  Scene scene{.source = "pole"};
   scene.materials.emplace_back();
   scene.materials[0].unlit = scene.materials[0].double_sided = true;
   scene.meshes.push_back(pole_of(shot));
@@ -129,9 +126,7 @@ double worst_error(const Shot& shot, const Picture& picture) {
 /// The same exposure with only every n-th moment.
 ExposedScene with_fewer_moments(const ExposedScene& shown, int n) {
   const Exposure& all = shown.exposure();
-  Exposure few;
-  few.shutter = all.shutter;
-  few.step_pixels = n * all.step_pixels;
+  Exposure few{.shutter = all.shutter, .step_pixels = n * all.step_pixels};
   for (int i = 0; i <= all.steps(); i += n)
     few.moments.push_back(all.moments[static_cast<std::size_t>(i)]);
   few.rays = std::make_shared<const MovingRays>(few.moments);

@@ -128,10 +128,7 @@ TEST(Rivals, SettingsOutOfRangeAreNamed) {
   refused([](RenderSettings& s) { s.sampling.contrast = 1.01; }, "contrast");
   refused([](RenderSettings& s) { s.sampling.contrast_scale = -0.1; }, "contrast-scale");
   refused([](RenderSettings& s) { s.sampling.contrast_scale = 4.1; }, "contrast-scale");
-  RenderSettings edges;
-  edges.sampling.depth = 8;
-  edges.sampling.contrast = 1.0;
-  edges.sampling.contrast_scale = 0.0;
+  RenderSettings edges{.sampling = {.contrast = 1.0, .depth = 8, .contrast_scale = 0.0}};
   EXPECT_TRUE(validated(edges).has_value());
 }
 

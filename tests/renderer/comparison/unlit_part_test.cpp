@@ -116,10 +116,7 @@ TEST(UnlitPart, OfASurfaceThatFillsTheBlockIsAll) {
 
 // Reflections of unlit surfaces count as lit.
 TEST(UnlitPart, IsNotSeenInMirrors) {
-  Material mirror;
-  mirror.base_color = glm::vec4(1.0f);
-  mirror.metallic = 1.0f;
-  mirror.roughness = 0.0f;
+  Material mirror{.base_color = glm::vec4(1.0f), .metallic = 1.0f, .roughness = 0.0f};
   World world;
   test::add_card(world, {-9, -9}, {17, 17}, mirror);
   test::add_quad(world, {-90, 90, 20}, {180, 0, 0}, {0, -180, 0}, test::unlit(unlit_orange));

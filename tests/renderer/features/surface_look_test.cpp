@@ -82,8 +82,7 @@ glm::vec2 texcoord(const World& w, std::uint32_t triangle, float b1, float b2) {
 }
 
 TEST(SurfaceLook, AJumpOfTextureCoordinatesThatDoesNotShowIsNoSeam) {
-  Material textured;
-  textured.base_color_texture.texture = 0;
+  Material textured{.base_color_texture = {.texture = 0}};
   const TextureAt periodic = [](const World& w, const TextureUse&, std::uint32_t t, float b1,
                                 float b2) {
     const glm::vec2 uv = texcoord(w, t, b1, b2);
@@ -94,15 +93,13 @@ TEST(SurfaceLook, AJumpOfTextureCoordinatesThatDoesNotShowIsNoSeam) {
   Material bumpy = textured;
   bumpy.normal_texture.texture = 0;
   EXPECT_EQ(seams_of_jump(periodic, bumpy), 1u);
-  Material emissive;
-  emissive.emissive_texture.texture = 0;
+  Material emissive{.emissive_texture = {.texture = 0}};
   EXPECT_EQ(seams_of_jump(periodic, emissive), 0u);
 }
 
 // The jump is visible in one texel of 64 along the edge.
 TEST(SurfaceLook, AJumpThatShowsInOneTexelIsASeam) {
-  Material textured;
-  textured.base_color_texture.texture = 0;
+  Material textured{.base_color_texture = {.texture = 0}};
   const TextureAt speck = [](const World& w, const TextureUse&, std::uint32_t t, float b1,
                              float b2) {
     const glm::vec2 uv = texcoord(w, t, b1, b2);

@@ -15,8 +15,7 @@ namespace {
 
 TEST(Film, PutsTilesAndLeavesOutWhatLiesOutside) {
   Film film(4, 3);
-  FinishedTile tile;
-  tile.rect = {3, -1, 2, 3};
+  FinishedTile tile{.rect = {3, -1, 2, 3}};
   for (int i = 0; i < 6; ++i) {
     tile.radiance.emplace_back(static_cast<float>(i + 1));
     tile.split_level.push_back(static_cast<std::uint8_t>(i + 1));
@@ -35,8 +34,7 @@ TEST(Film, PutsTilesAndLeavesOutWhatLiesOutside) {
 
 TEST(Film, ForgetsCostsWhereATileTellsNone) {
   Film film(4, 2);
-  FinishedTile tile;
-  tile.rect = {1, 0, 2, 2};
+  FinishedTile tile{.rect = {1, 0, 2, 2}};
   tile.radiance.resize(4);
   tile.split_level.resize(4);
   tile.cause.resize(4);
@@ -53,8 +51,7 @@ TEST(Film, ForgetsCostsWhereATileTellsNone) {
 
 TEST(FinishedTile, CopiesThePixelsThatTwoShare) {
   const auto tile_at = [](const PixelRect& rect, float value) {
-    FinishedTile tile;
-    tile.rect = rect;
+    FinishedTile tile{.rect = rect};
     const auto pixels = static_cast<std::size_t>(rect.width * rect.height);
     tile.radiance.assign(pixels, glm::vec3(value));
     tile.split_level.assign(pixels, static_cast<std::uint8_t>(value));
@@ -106,8 +103,7 @@ TEST(SplitMap, CostsHaveAbsoluteLogarithmicScales) {
 
 TEST(Film, IgnoresTilesWithoutTheirData) {
   Film film(4, 4);
-  FinishedTile tile;
-  tile.rect = {0, 0, 2, 2};
+  FinishedTile tile{.rect = {0, 0, 2, 2}};
   tile.radiance.resize(3, glm::vec3(1.0f));
   tile.split_level.resize(4, 1);
   tile.cause.resize(4, SplitCause::crease);
@@ -198,8 +194,7 @@ TEST(SplitColour, OfSampledPixelsIsNotThatOfALevel) {
 }
 
 TEST(Film, KeepsTheNumberOfSamplesOfFinalTiles) {
-  FinishedTile tile;
-  tile.rect = {0, 0, 2, 1};
+  FinishedTile tile{.rect = {0, 0, 2, 1}};
   tile.radiance.resize(2);
   tile.split_level = {0, 0};
   tile.cause = {SplitCause::shading, SplitCause::none};
@@ -215,10 +210,7 @@ TEST(Film, KeepsTheNumberOfSamplesOfFinalTiles) {
 }
 
 TEST(Statistics, AddUp) {
-  RenderStatistics a;
-  a.eye_rays = 1;
-  a.shadow_rays = 2;
-  a.reflection_rays = 3;
+  RenderStatistics a{.eye_rays = 1, .shadow_rays = 2, .reflection_rays = 3};
   a.pyrays_by_level[8] = 4;
   a.split_pixels = 5;
   a.missed_splits = 6;

@@ -8,10 +8,7 @@ namespace asos {
 namespace {
 
 Camera perspective(double fov_y_rad, std::optional<double> aspect_ratio) {
-  Camera camera;
-  camera.fov_y_rad = fov_y_rad;
-  camera.aspect_ratio = aspect_ratio;
-  return camera;
+  return {.fov_y_rad = fov_y_rad, .aspect_ratio = aspect_ratio};
 }
 
 double half_height(const Camera& camera) {
@@ -53,10 +50,7 @@ TEST(CameraFit, CropAndCamerasWithoutAspectRatioStay) {
 }
 
 TEST(CameraFit, OrthographicCamerasGrowByTheirHeight) {
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.height = 3.0;
-  camera.aspect_ratio = 2.0;
+  Camera camera{.type = Camera::Type::orthographic, .height = 3.0, .aspect_ratio = 2.0};
   EXPECT_DOUBLE_EQ(fitted_camera(camera, 1.0, CameraFit::fit).height, 6.0);
   EXPECT_DOUBLE_EQ(fitted_camera(camera, 4.0, CameraFit::fit).height, 3.0);
   EXPECT_DOUBLE_EQ(fitted_camera(camera, 4.0, CameraFit::fill).height, 1.5);
@@ -66,9 +60,7 @@ TEST(CameraFit, OrthographicCamerasGrowByTheirHeight) {
 // No angle below 180 degrees is that wide.
 TEST(CameraFit, ExtremeRatiosAreNotFitted) {
   EXPECT_EQ(fitted_camera(perspective(3.0, 1e300), 1e-4, CameraFit::fit).fov_y_rad, 3.0);
-  Camera camera;
-  camera.type = Camera::Type::orthographic;
-  camera.aspect_ratio = 1e300;
+  Camera camera{.type = Camera::Type::orthographic, .aspect_ratio = 1e300};
   EXPECT_EQ(fitted_camera(camera, 1e-9, CameraFit::fit).height, camera.height);
 }
 

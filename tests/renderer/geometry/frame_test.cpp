@@ -40,10 +40,7 @@ TEST(Frame, NearnessIsLinearAlongALineInTheSquare) {
 }
 
 Camera camera_of(Camera::Type type) {
-  Camera camera;
-  camera.type = type;
-  camera.fov_y_rad = 1.0;
-  camera.height = 2.0;
+  Camera camera{.type = type, .fov_y_rad = 1.0, .height = 2.0};
   // The camera is at (1, 2, 3) and looks along -X.
   camera.world_from_camera = glm::dmat4(glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 1, 0, 0),
                                         glm::dvec4(1, 0, 0, 0), glm::dvec4(1, 2, 3, 1));

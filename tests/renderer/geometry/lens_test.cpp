@@ -27,11 +27,7 @@ void for_each_point(const Lens& lens, Visit&& visit) {
 }
 
 Lens aperture(int blades, double turn_rad = 0.0) {
-  Lens lens;
-  lens.radius = 2.0;
-  lens.blades = blades;
-  lens.turn_rad = turn_rad;
-  return lens;
+  return {.radius = 2.0, .blades = blades, .turn_rad = turn_rad};
 }
 
 /// Whether a point is in the scaled polygon of `aperture`. Uses the distances from the sides.
@@ -99,8 +95,7 @@ TEST(FStop, IsOfASensor24Millimetres) {
 }
 
 Camera camera_with_lens() {
-  Camera camera;
-  camera.fov_y_rad = 0.5 * pi;
+  Camera camera{.fov_y_rad = 0.5 * pi};
   camera.world_from_camera[3] = glm::dvec4(1, 2, 3, 1);
   camera.lens.radius = 0.5;
   camera.lens.focus = 4.0;

@@ -12,11 +12,7 @@ namespace asos::view_planes_test {
 namespace {
 
 Camera camera_of(Camera::Type type) {
-  Camera camera;
-  camera.type = type;
-  camera.height = 4.0;
-  camera.near_depth = 2.0;
-  camera.far_depth = 7.0;
+  Camera camera{.type = type, .height = 4.0, .near_depth = 2.0, .far_depth = 7.0};
   camera.world_from_camera[3] = {0, 0, 5, 1};
   return camera;
 }

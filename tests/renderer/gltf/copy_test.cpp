@@ -109,9 +109,7 @@ TEST_F(CopyGltf, KeepsEverythingElse) {
 }
 
 TEST_F(CopyGltf, WritesEditedLightsInPlaceOfTheFiles) {
-  Light lamp;
-  lamp.name = "new";
-  lamp.position = {0, 3, 0};
+  Light lamp{.name = "new", .position = {0, 3, 0}};
   Light off = lamp;
   off.color = {5.0f, 2.5f, 0.0f};
   off.intensity = 0.0f;
@@ -121,8 +119,7 @@ TEST_F(CopyGltf, WritesEditedLightsInPlaceOfTheFiles) {
   Light panel_off = panel;
   panel_off.color = {7.0f, 7.0f, 7.0f};
   panel_off.intensity = 0.0f;
-  GltfEdits edits;
-  edits.lights = {lamp, off, panel, panel_off};
+  GltfEdits edits{.lights = std::vector<Light>{lamp, off, panel, panel_off}};
   const Scene after = copy(edits);
   ASSERT_EQ(after.lights.size(), 4u);
   std::map<std::string, int> count;
@@ -154,8 +151,7 @@ TEST_F(CopyGltf, WritesDfrsIntoTheExtras) {
 }
 
 TEST_F(CopyGltf, TheShownVariantBecomesTheDefault) {
-  GltfEdits edits;
-  edits.variant = "Dusk";
+  GltfEdits edits{.variant = "Dusk"};
   const Scene after = copy(edits);
   EXPECT_EQ(after.meshes[0].material, 1);
   EXPECT_EQ(after.contents.variants, std::vector<std::string>{"Dusk"});
@@ -244,8 +240,7 @@ TEST_F(CopyGltf, RemovesShapesWithTheirMesh) {
   b.json["nodes"][1] = {{"mesh", 0}};
   source = folder.write("source/file.gltf", b.gltf("data.bin"));
   ASSERT_EQ(import_gltf(source, {})->contents.object_primitives, (std::vector<int>{-1, 0}));
-  GltfEdits edits;
-  edits.removed = {{0, -1}};
+  GltfEdits edits{.removed = {{0, -1}}};
   const Scene after = copy(edits);
   ASSERT_EQ(after.instances.size(), 1u);
   EXPECT_EQ(after.instances[0].shape, -1);
@@ -272,8 +267,7 @@ TEST_F(CopyGltf, FaultsNameTheFile) {
   EXPECT_EQ(error(source, folder.file("a.obj")),
             folder.file("a.obj") + ": a scene is written as .glb or .gltf");
   const std::string odd = folder.write("source/odd.gltf", R"({"scenes": 3, "nodes": {}})");
-  GltfEdits edits;
-  edits.lights = {Light{}};
+  GltfEdits edits{.lights = std::vector<Light>{Light{}}};
   const Result<void> done = copy_gltf(odd, folder.file("a.glb"), edits);
   ASSERT_FALSE(done);
   EXPECT_TRUE(done.error().message().starts_with(odd + ": cannot be copied"))

@@ -129,10 +129,9 @@ TEST_F(ExportTest, GltfHoldsItsBufferAsDataUri) {
 
 TEST_F(ExportTest, LinesAndPointsComeBack) {
   Scene scene;
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.1f, 2, -3}};
-  mesh.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 0.5f}};
-  mesh.segments = {{0, 1}, {2, 0}};
+  Mesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {0.1f, 2, -3}},
+            .colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 0.5f}},
+            .segments = {{0, 1}, {2, 0}}};
   scene.meshes.push_back(mesh);
   mesh.segments.clear();
   mesh.points = {2, 1};
@@ -152,8 +151,7 @@ TEST_F(ExportTest, LinesAndPointsComeBack) {
 }
 
 TEST_F(ExportTest, EmptySceneIsValid) {
-  Scene scene;
-  scene.meshes = {Mesh{}};
+  Scene scene{.meshes = {Mesh{}}};
   scene.meshes[0].name = "nothing";
   scene.instances = {{"place of nothing", 0, glm::dmat4(1.0)}};
   ASSERT_TRUE(export_gltf(scene, path("empty.glb")));

@@ -11,19 +11,15 @@
 namespace asos::test {
 
 inline Mesh triangle_to_write() {
-  Mesh mesh;
-  mesh.name = "triangle";
-  mesh.positions = {{0.1f, -2.0f, 1.0f / 3.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, -5.0f}};
-  mesh.normals = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  mesh.triangles = {{0, 1, 2}};
-  return mesh;
+  return {.name = "triangle",
+          .positions = {{0.1f, -2.0f, 1.0f / 3.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, -5.0f}},
+          .normals = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},
+          .triangles = {{0, 1, 2}}};
 }
 
 /// A texture use with rotation, scale and offset.
 inline TextureUse moved(int texture, double angle, glm::vec2 scale, glm::vec2 offset) {
-  TextureUse use;
-  use.texture = texture;
-  use.texcoord = 1;
+  TextureUse use{.texture = texture, .texcoord = 1};
   const auto c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
   use.uv_transform = {glm::vec3(c * scale.x, -s * scale.x, 0.0f),
                       glm::vec3(s * scale.y, c * scale.y, 0.0f), glm::vec3(offset, 1.0f)};
@@ -32,8 +28,7 @@ inline TextureUse moved(int texture, double angle, glm::vec2 scale, glm::vec2 of
 
 /// A scene that uses every exportable field.
 inline Scene rich_scene() {
-  Scene scene;
-  scene.name = "rich \"\u00e9\u6f22\"";
+  Scene scene{.name = "rich \"\u00e9\u6f22\""};
   Image image{"checks", 3, 2, {}};
   for (int i = 0; i < 24; ++i) image.rgba.own().push_back(static_cast<std::uint8_t>(10 * i));
   scene.images = {image};
@@ -139,11 +134,10 @@ inline Scene rich_scene() {
   perspective.name = "perspective";
   perspective.world_from_camera[3] = {4.0, 5.0, 6.0, 1.0};
   perspective.fov_y_rad = 0.7;
-  Camera flat_camera;
-  flat_camera.name = "orthographic";
-  flat_camera.type = Camera::Type::orthographic;
-  flat_camera.height = 7.0;
-  flat_camera.aspect_ratio = 1.5;
+  Camera flat_camera{.name = "orthographic",
+                     .type = Camera::Type::orthographic,
+                     .height = 7.0,
+                     .aspect_ratio = 1.5};
   scene.cameras = {perspective, flat_camera};
   return scene;
 }

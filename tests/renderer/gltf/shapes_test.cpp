@@ -41,22 +41,19 @@ class ShapesTest : public testing::Test {
 
 Scene all_shapes() {
   Scene scene;
-  Material red;
-  red.base_color = {0.8f, 0.1f, 0.1f, 1.0f};
+  Material red{.base_color = {0.8f, 0.1f, 0.1f, 1.0f}};
   scene.materials.push_back(red);
   const auto add = [&](const char* name, const Shape& shape, const glm::dmat4& place) {
-    Instance instance;
-    instance.name = name;
-    instance.mesh = static_cast<int>(scene.meshes.size());
-    instance.shape = static_cast<int>(scene.shapes.size());
-    instance.world_from_mesh = place;
+    Instance instance{.name = name,
+                      .mesh = static_cast<int>(scene.meshes.size()),
+                      .world_from_mesh = place,
+                      .shape = static_cast<int>(scene.shapes.size())};
     scene.meshes.push_back(tessellated(shape));
     scene.meshes.back().material = 0;
     scene.shapes.push_back(shape);
     scene.instances.push_back(instance);
   };
-  Shape shape;
-  shape.radius = 0.7;
+  Shape shape{.radius = 0.7};
   add("ball", shape, glm::translate(glm::dmat4(1.0), glm::dvec3(0.1, 0.2, 0.3)));
   shape.type = Shape::Type::disk;
   add("disk", shape, glm::scale(glm::dmat4(1.0), glm::dvec3(1.0, 2.0, 3.0)));

@@ -27,8 +27,7 @@ LightSample place_on(const PreparedLight& light, const Receiver& receiver, glm::
   if (light.shape != LightShape::rectangle) return sample_light(light, receiver, at.x, at.y);
   const glm::dvec3 to = light.position - receiver.position + (2.0 * at.x - 1.0) * light.half_u +
                         (2.0 * at.y - 1.0) * light.half_v;
-  LightSample sample;
-  sample.distance = glm::length(to);
+  LightSample sample{.distance = glm::length(to)};
   sample.direction = to / sample.distance;
   const double height = -glm::dot(to, light.towards);
   const double cosine = glm::dot(sample.direction, receiver.normal);
@@ -158,8 +157,7 @@ TEST(RepeatedPoint, HasNoSheenThatAnotherHad) {
 
 // The mean is the closed form of the light (Lambert's sum; the view factor for spheres and disks).
 TEST(AimedRays, HaveTheLightsIrradianceAsTheirMean) {
-  SurfacePoint point;
-  point.position = {0.7f, 0.0f, 0.2f};
+  SurfacePoint point{.position = {0.7f, 0.0f, 0.2f}};
   point.shading_normal = point.geometric_normal = {0, 1, 0};
   for (const NamedLight& named : lights(1.0, {0, 0, 0})) {
     const PreparedLight& light = named.prepared;

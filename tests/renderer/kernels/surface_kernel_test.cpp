@@ -52,8 +52,7 @@ struct Subjects {
   }
 
   void add(RandomSpace& space, std::size_t i, double scale) {
-    Material material;
-    material.roughness = i % 3 == 0 ? 0.8f : 0.3f;
+    Material material{.roughness = i % 3 == 0 ? 0.8f : 0.3f};
     if (i % 5 == 0) material.base_color_texture.texture = 0;
     const glm::vec3 normal(space.direction());
     std::vector<TinyVertex> vertices;
@@ -93,8 +92,7 @@ struct Subjects {
     lanes.normal_0.set(lane, world.normals[v.x]);
     lanes.normal_1.set(lane, world.normals[v.y]);
     lanes.normal_2.set(lane, world.normals[v.z]);
-    Ray ray;
-    ray.direction = directions[i];
+    Ray ray{.direction = directions[i]};
     lanes.set_hit(lane, hits[i], ray, sides[i]);
     const Material& material = world.material_of(hits[i].triangle);
     lanes.textured[lane] = material.base_color_texture.used() ? 1.0f : 0.0f;
@@ -115,12 +113,11 @@ struct Found {
 
 SurfaceMaterial random_material(RandomSpace& space, std::size_t i) {
   const auto number = [&] { return static_cast<float>(space.between(0, 1)); };
-  SurfaceMaterial material;
-  material.base_color = {number(), number(), number()};
-  material.f0 = 0.3f * glm::vec3(number(), number(), number());
-  material.f90 = i % 4 == 0 ? number() : 1.0f;
-  material.dielectric_f0 = i % 7 == 0 ? 1.0f : 0.5f * number();
-  material.dielectric_f90 = 0.5f + 0.5f * number();
+  SurfaceMaterial material{.base_color = {number(), number(), number()},
+                           .f0 = 0.3f * glm::vec3(number(), number(), number()),
+                           .f90 = i % 4 == 0 ? number() : 1.0f,
+                           .dielectric_f0 = i % 7 == 0 ? 1.0f : 0.5f * number(),
+                           .dielectric_f90 = 0.5f + 0.5f * number()};
   material.roughness = i % 3 == 0 ? 0.15f * number() : number();  // below the roughness floor, too
   if (i % 11 == 0) material.roughness = 0.0f;
   material.metallic = i % 2 == 0 ? number() : 0.0f;

@@ -212,9 +212,7 @@ TEST(EmissiveLights, AnySoupKeepsItsPowerInFewFiniteLights) {
 World screen() {
   World world;
   Material material = glow(glm::vec3(1));
-  Image image;
-  image.width = 64;
-  image.height = 32;
+  Image image{.width = 64, .height = 32};
   image.rgba.own().assign(4 * 64 * 32, 255);
   material.emissive_texture.texture = test::add_texture(world, image, Wrap::repeat, Filter::linear);
   test::add_quad(world, {0, 0, 0}, {2, 0, 0}, {0, 1, 0}, material);

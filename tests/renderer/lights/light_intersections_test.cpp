@@ -118,9 +118,7 @@ TEST(LightIntersections, AreNotKeptBeyondWhatIsCutAlong) {
 }
 
 TEST(EnteredBalls, AreThoseThatATriangleOfAnotherPartReachesInto) {
-  Light ball;
-  ball.type = Light::Type::point;
-  ball.radius = 1.0;
+  Light ball{.type = Light::Type::point, .radius = 1.0};
   const auto entered = [&](glm::vec3 corner, std::int32_t own_part) -> bool {
     World world;
     add_triangle(world, corner, corner + glm::vec3(4, 0, 0), corner + glm::vec3(0, 4, 0),

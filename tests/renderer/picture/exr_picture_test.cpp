@@ -67,14 +67,11 @@ TEST(ExrPicture, AssetsAreTopLevelNodes) {
   fence.mesh = static_cast<int>(file.meshes.size());
   fence.name = "fence";
   fence.node = 1;
-  Mesh lines;
-  lines.positions = {{0, 0, 0}, {0, 1, 0}};
-  lines.segments = {{0, 1}};
+  Mesh lines{.positions = {{0, 0, 0}, {0, 1, 0}}, .segments = {{0, 1}}};
   file.meshes.push_back(lines);
   file.instances.insert(file.instances.begin(), fence);
   const auto scene = with_ground(prepare(file).value(), Ground::on).value();
-  RenderSettings settings;
-  settings.layers = {Layer::object};
+  RenderSettings settings{.layers = {Layer::object}};
   const ExrOptions options = exr_options(*scene, {}, settings);
   ASSERT_EQ(options.asset_names.size(), scene->world().parts.size());
   EXPECT_EQ(options.asset_names[0], "house");

@@ -65,8 +65,7 @@ Scene random_scene(RandomSpace& random, double side) {
 }
 
 Receiver receiver_on_floor(glm::dvec3 position) {
-  Receiver receiver;
-  receiver.position = position;
+  Receiver receiver{.position = position};
   receiver.normal = receiver.geometric = {0, 0, 1};
   return receiver;
 }
@@ -141,9 +140,8 @@ double found_share(const Scene& scene, ShadowQuality quality, int divisions,
   settings.error_budget.max_level = 4;
   settings.see_through = false;
   ShadowFixture fixture(scene.world, panel(), settings);
-  SurfacePoint point;
-  point.position = glm::vec3(scene.pixel.at(0.5, 0.5));
-  point.error = glm::vec3(1e-6f, 1e-6f, 0.0f);
+  SurfacePoint point{.position = glm::vec3(scene.pixel.at(0.5, 0.5)),
+                     .error = glm::vec3(1e-6f, 1e-6f, 0.0f)};
   point.geometric_normal = point.shading_normal = {0, 0, 1};
   point.extent = 0.1f;
   point.triangle = 0;

@@ -10,9 +10,7 @@ namespace asos::test::choose_test {
 namespace {
 
 ErrorBudget allowance_of(int max_level, double eps = 1.0 / 256.0) {
-  RenderSettings settings;
-  settings.asos.max_level = max_level;
-  settings.asos.eps = eps;
+  RenderSettings settings{.asos = {.max_level = max_level, .eps = eps}};
   return ErrorBudget::of(settings);
 }
 
@@ -99,8 +97,7 @@ TEST(Choose, SamplesReplaceACentreThatCostsAsMuch) {
   EXPECT_TRUE(samples_cost_least(error_budget, 1.0 / 16.0, {1.01 * samples, {}, 0.5}));
   EXPECT_FALSE(samples_cost_least(error_budget, 1.0 / 16.0, {0.99 * samples, {}, 0.5}));
   EXPECT_TRUE(samples_cost_least(allowance_of(1), 1.0, {16.0, {}, 1.0})) << "MAX allows no more";
-  RenderSettings settings;
-  settings.asos.refine_shading = false;
+  RenderSettings settings{.asos = {.refine_shading = false}};
   EXPECT_FALSE(samples_cost_least(ErrorBudget::of(settings), 1.0, {1e9, {}, 0.5}))
       << "nothing is sampled";
   EXPECT_FALSE(ErrorBudget::of(settings).refines());

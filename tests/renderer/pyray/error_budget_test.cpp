@@ -10,17 +10,14 @@ namespace asos::test::allowance_test {
 namespace {
 
 ErrorBudget allowance_of(int max_level, double eps = 1.0 / 256.0) {
-  RenderSettings settings;
-  settings.asos.max_level = max_level;
-  settings.asos.eps = eps;
+  RenderSettings settings{.asos = {.max_level = max_level, .eps = eps}};
   return ErrorBudget::of(settings);
 }
 
 // AgX displays differences between dark colours enlarged. The allowed error shrinks accordingly,
 // for leaves and for the pyrays that they start.
 TEST(ErrorBudget, SteepToneCurveDividesEps) {
-  RenderSettings settings;
-  settings.asos.eps = 1.0 / 64.0;
+  RenderSettings settings{.asos = {.eps = 1.0 / 64.0}};
   const ErrorBudget plain = ErrorBudget::of(settings);
   EXPECT_EQ(plain.eps, settings.asos.eps);
   settings.judged_tone = ToneCurve::agx;

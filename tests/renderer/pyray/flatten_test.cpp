@@ -62,8 +62,7 @@ TEST(Flatten, NoPointIsFarFromTheArc) {
     const glm::dvec2 centre(space.between(-1, 2), space.between(-1, 2));
     const double radius = std::exp(space.between(-4.0, 2.0));
     const double finest = 1.0 / 32.0;
-    FlattenBounds bounds;
-    bounds.margin = 1.0 / 16.0;
+    FlattenBounds bounds{.margin = 1.0 / 16.0};
     for (const Segment& s :
          flattener.flatten(unit_square(), circle(centre, radius), {}, finest, bounds)) {
       for (const float t : {0.0f, 0.5f, 1.0f}) {
@@ -82,8 +81,7 @@ TEST(Flatten, WhatLiesOutsideIsLeftOut) {
   // A circle around the square.
   EXPECT_TRUE(flattener.flatten(unit_square(), circle({0.5, 0.5}, 3.0), {}, 0.1, {}).empty());
   const HalfSpace left{{-1, 0, 0}, -0.5};
-  FlattenBounds bounds;
-  bounds.within = std::span(&left, 1);
+  FlattenBounds bounds{.within = std::span(&left, 1)};
   for (const Segment& s :
        flattener.flatten(unit_square(), circle({0.5, 0.5}, 0.3), {}, 0.1, bounds))
     EXPECT_LE(std::max(s.u0, s.u1), 0.51f);

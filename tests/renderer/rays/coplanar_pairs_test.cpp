@@ -73,8 +73,7 @@ void add_sheet(World& world, glm::vec3 corner, glm::vec3 a, glm::vec3 b, std::ui
 World decals(unsigned seed, glm::dvec3 origin) {
   std::mt19937 rng(seed);
   std::uniform_real_distribution<float> share(0.0f, 1.0f);
-  World world;
-  world.origin = origin;
+  World world{.origin = origin};
   for (int plane = 0; plane < 4; ++plane) {
     const glm::vec3 centre = random_vector(rng), right = glm::normalize(random_vector(rng));
     const glm::vec3 up = plane == 0 ? glm::vec3(0, 1, 0) : glm::normalize(random_vector(rng));
@@ -173,8 +172,7 @@ TEST(CoplanarPairs, AreFewAmongLongThinTriangles) {
 /// them.
 TEST(CoplanarPairs, AreFewFarFromTheOrigin) {
   std::mt19937 rng(1);
-  World world;
-  world.origin = {2e6, 0.0, 0.0};
+  World world{.origin = {2e6, 0.0, 0.0}};
   for (int i = 0; i < 2000; ++i) {
     const glm::vec3 at = random_vector(rng);
     test::add_triangle(world, at, at + 0.1f * random_vector(rng), at + 0.1f * random_vector(rng),

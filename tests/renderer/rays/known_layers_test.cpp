@@ -147,9 +147,7 @@ TEST(KnownLayers, AddAGround) {
 TEST(KnownLayers, HideShapes) {
   World whole = numbered_world();
   for (int i = 0; i < 4; ++i) {
-    Shape shape;
-    shape.type = Shape::Type::sphere;
-    shape.radius = 0.3;
+    Shape shape{.type = Shape::Type::sphere, .radius = 0.3};
     glm::dmat4 place(1.0);
     place[3] = {0.5 * i - 0.75, 0.2, 0.1, 1.0};
     add_shape(whole, shape, place, i % 2 == 0 ? matte(glm::vec3(0.5f)) : blended(0.3f));

@@ -98,8 +98,7 @@ TEST(RayScene, BarycentricCoordinatesBelongToTheSecondAndThirdCorner) {
   World world;
   add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, matte(glm::vec3(1)));
   const RayScene scene = build(world);
-  Ray ray;
-  ray.origin = {0.2f, 0.3f, 5};
+  Ray ray{.origin = {0.2f, 0.3f, 5}};
   const Hit hit = scene.closest(ray);
   ASSERT_TRUE(hit.valid());
   EXPECT_NEAR(hit.b1, 0.2f, 1e-6f);
@@ -158,8 +157,7 @@ TEST(RayScene, NoRaySlipsThroughASharedEdge) {
   for (int i = 0; i < 2000; ++i) {
     const float x = d(rng);
     const glm::vec3 target = i % 2 ? glm::vec3(x, x, 0) : glm::vec3(0.1f * 7, x, 0);
-    Ray ray;
-    ray.origin = {0.3f, -2.0f, 5.0f};
+    Ray ray{.origin = {0.3f, -2.0f, 5.0f}};
     ray.direction = target - ray.origin;
     EXPECT_TRUE(scene.closest(ray).valid()) << i << " " << x;
     EXPECT_EQ(scene.transmittance(ray).x, 0.0f) << i << " " << x;
@@ -187,8 +185,7 @@ TEST(RayScene, ZeroAreaTrianglesAreMissed) {
   add_triangle(world, {-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, matte(glm::vec3(1)));
   add_quad(world, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, matte(glm::vec3(1)));
   const RayScene scene = build(world);
-  Ray ray;
-  ray.origin = {0, 0, 5};
+  Ray ray{.origin = {0, 0, 5}};
   const Hit hit = scene.closest(ray);
   ASSERT_TRUE(hit.valid());
   EXPECT_GE(hit.triangle, 2u);
@@ -244,8 +241,7 @@ TEST(RayScene, MaskedSurfacesAreCutAtTheirCutoff) {
   add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, masked);
   const RayScene scene = build(world, half_alpha);
   const auto toward = [](float x) {
-    Ray ray;
-    ray.origin = {x, 0.1f, 1};
+    Ray ray{.origin = {x, 0.1f, 1}};
     return ray;
   };
   EXPECT_FALSE(scene.closest(toward(0.3f)).valid());
@@ -275,8 +271,7 @@ TEST(RayScene, BlendedSurfacesAreMetAndAttenuate) {
   add_quad(world, {-1, -1, -3}, {2, 0, 0}, {0, 2, 0}, glass);
   add_quad(world, {-1, -1, -4}, {0.5f, 0, 0}, {0, 2, 0}, matte(glm::vec3(1)));
   const RayScene scene = build(world);
-  Ray ray;
-  ray.origin = {0.1f, 0.2f, 1};
+  Ray ray{.origin = {0.1f, 0.2f, 1}};
   EXPECT_FLOAT_EQ(scene.closest(ray).t, 1.0f);
   EXPECT_FLOAT_EQ(scene.transmittance(ray).x, 0.75f * 0.75f * 0.75f * 0.5f);
   ray.origin.x = -0.8f;  // over the opaque strip

@@ -52,9 +52,7 @@ inline Ray random_ray(std::mt19937& rng) {
 
 /// A ray from above z = 0 straight down at (x, y).
 inline Ray down(float x, float y, float z = 1.0f) {
-  Ray ray;
-  ray.origin = {x, y, z};
-  return ray;
+  return {.origin = {x, y, z}};
 }
 
 /// A square of side 2 around (0, 0, z) whose front faces up (+z) or down.
@@ -87,11 +85,7 @@ inline Material masked(float cutoff) {
 
 /// A light that owns the part.
 inline Light lamp_of(std::int32_t part) {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.name = "lamp";
-  light.own_part = part;
-  return light;
+  return {.name = "lamp", .type = Light::Type::rectangle, .own_part = part};
 }
 
 }  // namespace asos::test

@@ -29,8 +29,7 @@ Line through(const Line& in, double ratio, bool far) {
 
 /// The sphere's surface at the point that a bundle hits.
 MirrorSurface surface_at(const RayBundle& bundle, glm::dvec3 p, bool far, double ratio) {
-  MirrorSurface surface;
-  surface.position = p;
+  MirrorSurface surface{.position = p};
   surface.normal = surface.geometric = (far ? -1.0 : 1.0) / radius * p;
   const double t = glm::dot(p - bundle.origin, bundle.direction);
   const auto moved = [&](glm::dvec3 edge) {
@@ -43,9 +42,8 @@ MirrorSurface surface_at(const RayBundle& bundle, glm::dvec3 p, bool far, double
 }
 
 RayBundle from_eye(double beside, double width) {
-  RayBundle bundle;
-  bundle.origin = {beside, 0.4, 9.0};
-  bundle.direction = glm::normalize(glm::dvec3(-0.1 * beside, 0.02, -1.0));
+  RayBundle bundle{.origin = {beside, 0.4, 9.0},
+                   .direction = glm::normalize(glm::dvec3(-0.1 * beside, 0.02, -1.0))};
   bundle.right = width * glm::normalize(across({1, 0, 0}, bundle.direction));
   bundle.down = width * glm::normalize(across({0, -1, 0}, bundle.direction));
   return bundle;
@@ -131,13 +129,12 @@ glm::dvec3 moments(const RayBundle& bundle, double t) {
 TEST(RayBundle, ABlurredOneKeepsItsMomentsAtASection) {
   for (const double lobe : {0.01, 0.1, 0.5}) {
     for (const double turn : {0.04, 0.0, -0.2}) {
-      RayBundle bundle;
-      bundle.right_at = {0.1, 0, 0};
-      bundle.down_at = {0, -0.1, 0};
-      bundle.right = {turn, 0, 0};
-      bundle.down = {0, -turn, 0};
-      bundle.lobe_right = {lobe, 0, 0};
-      bundle.lobe_down = {0, -lobe, 0};
+      RayBundle bundle{.right_at = {0.1, 0, 0},
+                       .down_at = {0, -0.1, 0},
+                       .right = {turn, 0, 0},
+                       .down = {0, -turn, 0},
+                       .lobe_right = {lobe, 0, 0},
+                       .lobe_down = {0, -lobe, 0}};
       for (const double t : {0.01, 0.3, 4.0}) {
         // The box of the combined width is spread within the section's frame.
         const double own = std::abs(0.1 + t * turn), blur = t * lobe;
@@ -178,11 +175,10 @@ double fourth_powers(const RayBundle& bundle, double t) {
 // far as two boxes can represent three.
 TEST(RayBundle, LobesAddUpTheirMoments) {
   for (const double second : {0.05, 0.3, 1.0}) {
-    RayBundle bundle;
-    bundle.right_at = {0.1, 0, 0};
-    bundle.down_at = {0, -0.1, 0};
-    bundle.right = {0.02, 0, 0};
-    bundle.down = {0, -0.02, 0};
+    RayBundle bundle{.right_at = {0.1, 0, 0},
+                     .down_at = {0, -0.1, 0},
+                     .right = {0.02, 0, 0},
+                     .down = {0, -0.02, 0}};
     constexpr double first = 0.2;
     bundle.add_lobe({{1, 0, 0}, {0, -1, 0}, first}, 3.0);
     EXPECT_NEAR(bundle.right.x, 0.02, 1e-12) << "two boxes are represented exactly";

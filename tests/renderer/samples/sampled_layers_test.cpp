@@ -52,9 +52,7 @@ Pictures compared(Scene&& scene) {
   const Shader shader = shader_of(*prepared, settings, view);
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
-      PointSample sample;
-      sample.at = {x + 0.5, y + 0.5};
-      sample.side = 0.5f;
+      PointSample sample{.at = {x + 0.5, y + 0.5}, .side = 0.5f};
       sample.x = x, sample.y = y;
       sample.target = static_cast<std::size_t>(y * side + x);
       sums.add(sample);

@@ -316,9 +316,7 @@ TEST(Shapes, TubeAndKnotAreClosed) {
 }
 
 TEST(Shapes, BlobNormalsAreThoseOfTheSurface) {
-  Blob blob;
-  blob.bumps = {{{0, 1, 0}, 0.3f, 8.0f}};
-  blob.ripples = {{{4.0f, -3.0f, 2.0f}, 0.05f, 0.7f}};
+  Blob blob{.bumps = {{{0, 1, 0}, 0.3f, 8.0f}}, .ripples = {{{4.0f, -3.0f, 2.0f}, 0.05f, 0.7f}}};
   Mesh mesh;
   builtin::add_blob(mesh, {0, 0, 0}, {1.0f, 2.0f, 0.5f}, blob, 128);
   EXPECT_EQ(why_not_closed(mesh), "");

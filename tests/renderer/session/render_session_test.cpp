@@ -26,15 +26,13 @@ using Clock = std::chrono::steady_clock;
 
 Snapshot snapshot_of(Method method, int width, int height, int threads) {
   static const auto scene = test::make_render_scene(test::still_life());
-  Snapshot snapshot;
-  snapshot.scene = scene;
-  snapshot.camera = test::look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
-  snapshot.settings.method = method;
-  snapshot.settings.width = width;
-  snapshot.settings.height = height;
-  snapshot.settings.threads = threads;
-  snapshot.settings.sampling.spp = 4;
-  return snapshot;
+  return {.scene = scene,
+          .camera = test::look_at({2, 2, 5}, {0, 0.7, 0}, 0.7),
+          .settings = {.width = width,
+                       .height = height,
+                       .method = method,
+                       .sampling = {.spp = 4},
+                       .threads = threads}};
 }
 
 /// A scene whose picture is one flat colour from any camera.

@@ -136,12 +136,9 @@ TEST(StepQueue, TakesSamplesWhileBlocksCannotBeRendered) {
 TEST(RenderSteps, OfAnUnlitSurfaceComeInTwoStages) {
   World world = still_life().world;
   world.materials[world.parts.front().material].unlit = true;
-  Snapshot snapshot;
-  snapshot.scene = make_render_scene(std::move(world), still_life().lights);
-  snapshot.camera = look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
-  snapshot.settings.asos.max_level = 2;
-  snapshot.settings.width = 64;
-  snapshot.settings.height = 64;
+  Snapshot snapshot{.scene = make_render_scene(std::move(world), still_life().lights),
+                    .camera = look_at({2, 2, 5}, {0, 0.7, 0}, 0.7),
+                    .settings = {.width = 64, .height = 64, .asos = {.max_level = 2}}};
   const PlannedRender render(snapshot);
   ASSERT_TRUE(render.unlit);
   TileCollector tiles(render.plan, {});

@@ -35,15 +35,11 @@ class RowsInMemory : public PictureWriter {
 };
 
 Snapshot still_life_of(Method method) {
-  Snapshot snapshot;
-  snapshot.scene = test::make_render_scene(test::still_life());
-  snapshot.camera = test::look_at({2, 2, 5}, {0, 0.7, 0}, 0.7);
-  snapshot.settings.method = method;
-  snapshot.settings.width = 83;
-  snapshot.settings.height = 131;
-  snapshot.settings.asos.max_level = 2;
-  snapshot.settings.threads = 2;
-  return snapshot;
+  return {
+      .scene = test::make_render_scene(test::still_life()),
+      .camera = test::look_at({2, 2, 5}, {0, 0.7, 0}, 0.7),
+      .settings = {
+          .width = 83, .height = 131, .method = method, .asos = {.max_level = 2}, .threads = 2}};
 }
 
 TEST(StripRender, GivesThePictureOfOnePieceBitForBit) {

@@ -27,9 +27,7 @@ TEST(MaterialLayers, AreThoseInUseFromTheTopDown) {
 // Each layer takes its reflection from the light for those below.
 TEST(MaterialLayers, TransmittedLightPassesEveryLayer) {
   constexpr float cosine = 0.6f;
-  SurfaceMaterial glass;
-  glass.transmission = 1.0f;
-  glass.roughness = 0.3f;
+  SurfaceMaterial glass{.transmission = 1.0f, .roughness = 0.3f};
   const float bare = transmitted_share(glass, cosine);
   EXPECT_NEAR(bare, 1.0f - viewed(glass, cosine).specular.x, 1e-6f);
   SurfaceMaterial coated = glass;

@@ -171,13 +171,10 @@ TEST(Passage, ThinWallsAddNoLight) {
         const RenderFeatures render_features = find_render_features(world);
         const RayScene rays = rays_of(world);
         const Lighting lighting;
-        ShadingSettings settings;
-        settings.sky = &white;
-        settings.sky_shadows = true;
+        ShadingSettings settings{.sky_shadows = true, .sky = &white};
         for (const double angle : {0.0, 0.8, 1.3, 1.5}) {
-          Ray ray;
-          ray.direction = {static_cast<float>(-std::sin(angle)),
-                           static_cast<float>(-std::cos(angle)), 0.0f};
+          Ray ray{.direction = {static_cast<float>(-std::sin(angle)),
+                                static_cast<float>(-std::cos(angle)), 0.0f}};
           ray.origin = -10.0f * ray.direction;
           WhiteSky transport;
           RenderStatistics counts;

@@ -41,9 +41,7 @@ struct Seen {
 };
 
 TEST(MirroredLights, AreThoseThatHaveASurface) {
-  Light line;
-  line.type = Light::Type::linear;
-  line.half_u = {1.0, 0.0, 0.0};
+  Light line{.type = Light::Type::linear, .half_u = {1.0, 0.0, 0.0}};
   PreparedLight tube = prepare_light(line);
   EXPECT_FALSE(shows(MirroredLights::all, tube)) << "a line has no surface to reflect";
   tube.own_part = 0;

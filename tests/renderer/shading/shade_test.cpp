@@ -221,10 +221,7 @@ TEST(Shader, ThinGlassTintsWhatLiesBehind) {
 
 TEST(Shader, MaskCutsByTextureAndVertexColour) {
   World world;
-  Image image;
-  image.width = 2;
-  image.height = 1;
-  image.rgba = {255, 255, 255, 0, 255, 255, 255, 255};
+  Image image{.width = 2, .height = 1, .rgba = {255, 255, 255, 0, 255, 255, 255, 255}};
   Material cut = unlit({1, 0, 0});
   cut.alpha_mode = AlphaMode::mask;
   cut.base_color_texture.texture =
@@ -267,8 +264,7 @@ TEST(Shader, NormalMapsGreenPointsAgainstV) {
   m.normal_texture.texture = test::add_texture(world, image, Wrap::repeat, Filter::linear);
   add_quad(world, {-1, 0, -1}, {2, 0, 0}, {0, 0, 2}, m);  // v grows with +z
   for (glm::vec3& n : world.normals) n = {0, 1, 0};
-  Hit hit;
-  hit.triangle = 0;
+  Hit hit{.triangle = 0};
   hit.b1 = hit.b2 = 0.3f;
   const SurfacePoint p = surface_point(world, find_render_features(world), hit, {0, 1, 0});
   EXPECT_LT(p.shading_normal.z, -0.6f);
@@ -314,8 +310,7 @@ TEST(Shader, MetalUnderTheSkyIsItsColour) {
 }
 
 TEST(Shader, ALightOnTheSurfaceGivesAFiniteResult) {
-  Light light;
-  light.position = {0, 0, 0};
+  Light light{.position = {0, 0, 0}};
   Lit lit{floor_world(matte(glm::vec3(1))), {light}};
   Hit hit{.triangle = 0, .b1 = 0.0f};
   hit.b2 = 0.5f;  // the middle of the quad's diagonal
@@ -373,8 +368,7 @@ TEST(StudioLighting, WhiteComesNearWhiteAndStaysBelow) {
   std::mt19937 rng(9);
   std::uniform_real_distribution<float> d(-0.6f, 0.6f);
   for (int i = 0; i < 2000; ++i) {
-    Ray ray;
-    ray.origin = glm::vec3(camera.world_from_camera[3]);
+    Ray ray{.origin = glm::vec3(camera.world_from_camera[3])};
     ray.direction = glm::normalize(glm::vec3(d(rng), d(rng), d(rng)) - ray.origin);
     const float r = lit.look(ray).r;
     brightest = std::max(brightest, r);

@@ -41,10 +41,8 @@ glm::dvec3 mean_of_samples(const SkyQuery& point, std::uint32_t count) {
 }
 
 SurfaceMaterial material_of(float metallic, float roughness) {
-  SurfaceMaterial material;
-  material.base_color = {0.8f, 0.5f, 0.2f};
-  material.metallic = metallic;
-  material.roughness = roughness;
+  SurfaceMaterial material{
+      .base_color = {0.8f, 0.5f, 0.2f}, .metallic = metallic, .roughness = roughness};
   material.f0 = glm::mix(glm::vec3(0.04f), material.base_color, metallic);
   return material;
 }

@@ -14,8 +14,7 @@ namespace {
 SurfaceMaterial shaded(const Material& material) {
   World world;
   test::add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, material);
-  Hit hit;
-  hit.t = 1.0f;
+  Hit hit{.t = 1.0f};
   hit.b1 = hit.b2 = 0.25f;
   hit.triangle = 0;
   return surface_material(world, find_render_features(world), hit);
@@ -68,8 +67,7 @@ TEST(Specular, TexturesScaleTheFactors) {
                                          }),
                         Wrap::repeat, Filter::linear);
   test::add_quad(world, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, m);
-  Hit hit;
-  hit.t = 1.0f;
+  Hit hit{.t = 1.0f};
   hit.b1 = hit.b2 = 0.25f;
   hit.triangle = 0;
   const SurfaceMaterial seen = surface_material(world, find_render_features(world), hit);

@@ -18,9 +18,7 @@ std::uint8_t byte(bool full) {
 }
 
 RenderFeatures with_textures() {
-  RenderFeatures features;
-  features.textures = true;
-  return features;
+  return {.textures = true};
 }
 
 /// Four texels wide stripes, in 64 texels.
@@ -52,12 +50,10 @@ class Surface {
   [[nodiscard]] ProductError errors(const ViewedFrom& from = {}) {
     add_quad(world_, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, material);
     const RenderFeatures render_features = find_render_features(world_);
-    Hit hit;
-    hit.triangle = 0;
+    Hit hit{.triangle = 0};
     hit.b1 = hit.b2 = 0.25f;
-    Footprint footprint;
-    footprint.right = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).right;
-    footprint.down = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).down;
+    Footprint footprint{.right = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).right,
+                        .down = footprint_on(world_, hit, {{0.5f, 0, 0}, {0, 0.5f, 0}}).down};
     return product_error(world_, render_features, hit, footprint, from);
   }
 
@@ -158,8 +154,7 @@ TEST(TextureProducts, ErrorForGlassBetweenColouredStripes) {
 // A lamp in the mirrored direction: smooth stripes show its highlight, rough ones nearly none of
 // it. A dielectric is enough.
 TEST(TextureProducts, ErrorForHighlightsOfRoughStripes) {
-  Light lamp;
-  lamp.type = Light::Type::point;
+  Light lamp{.type = Light::Type::point};
   lamp.position = {0.5, 0.25, 4.0};  // above the hit
   lamp.intensity = 16.0f;
   const std::vector<PreparedLight> lights{prepare_light(lamp)};

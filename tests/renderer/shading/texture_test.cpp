@@ -13,9 +13,7 @@ namespace {
 /// A row of texels of these grey bytes.
 World row_texture(const std::vector<std::uint8_t>& greys, Wrap wrap, Filter filter) {
   World world;
-  Image image;
-  image.width = static_cast<int>(greys.size());
-  image.height = 1;
+  Image image{.width = static_cast<int>(greys.size()), .height = 1};
   for (const std::uint8_t g : greys) image.rgba.own().insert(image.rgba.own().end(), {g, g, g, g});
   test::add_texture(world, image, wrap, filter);
   return world;
@@ -113,8 +111,7 @@ TEST(Texture, MissingOrEmptyImagesAreWhite) {
 TEST(Texture, UseAppliesItsTransform) {
   World world = row_texture({0, 51, 102, 255}, Wrap::repeat, Filter::nearest);
   test::add_triangle(world, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Material{});
-  TextureUse use;
-  use.texture = 0;
+  TextureUse use{.texture = 0};
   // Half the size, shifted by a quarter: u' = 0.5 u + 0.25.
   use.uv_transform = glm::mat3(0.5f, 0, 0, 0, 1, 0, 0.25f, 0, 1);
   EXPECT_FLOAT_EQ(sample_texture(world, use, 0, 0.1f, 0.0f, Encoding::linear).r, 0.2f);

@@ -118,9 +118,7 @@ TEST(Film, WithZeroThicknessIsTheBase) {
 
 // From any direction, film and base together reflect at most all light.
 TEST(Film, NeverReturnsMoreThanItGets) {
-  SurfaceMaterial m;
-  m.base_color = glm::vec3(1.0f);
-  m.dielectric_f0 = 0.04f;
+  SurfaceMaterial m{.base_color = glm::vec3(1.0f), .dielectric_f0 = 0.04f};
   for (const float metallic : {0.0f, 1.0f}) {
     m.metallic = metallic;
     m.f0 = glm::vec3(metallic > 0.0f ? 1.0f : 0.04f);
@@ -140,9 +138,7 @@ TEST(Film, NeverReturnsMoreThanItGets) {
 }
 
 TEST(Film, WithZeroFactorChangesNoBit) {
-  SurfaceMaterial m;
-  m.base_color = {0.8f, 0.3f, 0.1f};
-  m.roughness = 0.4f;
+  SurfaceMaterial m{.base_color = {0.8f, 0.3f, 0.1f}, .roughness = 0.4f};
   const ViewedMaterial bare = viewed(m, 0.6f);
   m.film = {0.0f, 1.7f, 300.0f};
   const ViewedMaterial same = viewed(m, 0.6f);

@@ -13,9 +13,7 @@ namespace asos::test {
 namespace {
 
 Material white() {
-  Material material;
-  material.base_color = glm::vec4(1.0f);
-  return material;
+  return {.base_color = glm::vec4(1.0f)};
 }
 
 /// A triangle in the plane z = 0 whose normals rotate about the y axis by `turn` per unit of x.
@@ -70,8 +68,7 @@ TEST(MidpointError, FallsWithTheSquareOfTheSize) {
 // length h, so the relative error is h^2 / 4 r^2 = 6 / 24 (h / r)^2 to second order.
 TEST(MidpointError, NearALightIsThatOfTheInverseSquare) {
   const World world = bent(0.0f);
-  Light light;
-  light.position = {0, 0, 2};
+  Light light{.position = {0, 0, 2}};
   const float side = 0.2f;
   const Patch edge{{side, 0, 0}, {0, 0, 0}};
   EXPECT_NEAR(midpoint_error(world, {&light, 1}, from_above, middle, edge, far),
@@ -141,19 +138,17 @@ TEST(MidpointError, IsTheMostAtALightAndNothingWhereNothingIsKnown) {
 
 // A spot light above the origin, whose circle of light on z = 0 has radius 1.
 PreparedLight spot(double inner, double outer) {
-  Light light;
-  light.type = Light::Type::spot;
-  light.position = {0, 0, 1};
-  light.direction = {0, 0, -1};
-  light.intensity = 100.0f;
-  light.inner_cone_rad = inner;
-  light.outer_cone_rad = outer;
+  Light light{.type = Light::Type::spot,
+              .intensity = 100.0f,
+              .position = {0, 0, 1},
+              .direction = {0, 0, -1},
+              .inner_cone_rad = inner,
+              .outer_cone_rad = outer};
   return prepare_light(light);
 }
 
 Receiver on_floor(double x) {
-  Receiver receiver;
-  receiver.position = {x, 0, 0};
+  Receiver receiver{.position = {x, 0, 0}};
   receiver.normal = receiver.geometric = {0, 0, 1};
   return receiver;
 }

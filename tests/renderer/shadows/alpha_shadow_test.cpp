@@ -20,8 +20,7 @@ Light panel() {
 }
 
 Receiver facing_up(float x, float y) {
-  Receiver receiver;
-  receiver.position = {x, y, 0};
+  Receiver receiver{.position = {x, y, 0}};
   receiver.normal = receiver.geometric = {0, 0, 1};
   return receiver;
 }
@@ -55,8 +54,7 @@ std::vector<Polygon3> add_checker(World& world) {
 
 /// The mean error over a row of receivers.
 double mean_checker_error(int max_level, bool outlined) {
-  ShadowRules settings;
-  settings.error_budget.max_level = max_level;
+  ShadowRules settings{.error_budget = {.max_level = max_level}};
   World world;
   const std::vector<Polygon3> opaque = add_checker(world);
   if (!outlined) leave_cut_outs_to_samples(world);
@@ -108,9 +106,7 @@ Material see_through(float alpha) {
 }
 
 Light bulb() {
-  Light light;
-  light.position = {0.1, 0.05, 2};
-  return light;
+  return {.position = {0.1, 0.05, 2}};
 }
 
 // Half of the light is visible through one layer, a quarter through two.

@@ -67,9 +67,7 @@ std::vector<Polygon3> add_card(World& world, const Card& card, const Pattern& pa
 }
 
 Light bulb() {
-  Light light;
-  light.position = {0.3, -0.2, 2.5};
-  return light;
+  return {.position = {0.3, -0.2, 2.5}};
 }
 
 Light spot() {
@@ -119,9 +117,8 @@ Polygon shadow_in(const Frame& pixel, const Polygon3& piece, const Light& light)
 }
 
 double visibility(ShadowFixture& fixture, const Frame& pixel, std::uint64_t seed) {
-  SurfacePoint point;
-  point.position = glm::vec3(*pixel.on_plane({0.5, 0.5}, {{0, 0, 1}, 0.0}));
-  point.error = glm::vec3(1e-6f, 1e-6f, 0.0f);
+  SurfacePoint point{.position = glm::vec3(*pixel.on_plane({0.5, 0.5}, {{0, 0, 1}, 0.0})),
+                     .error = glm::vec3(1e-6f, 1e-6f, 0.0f)};
   point.geometric_normal = point.shading_normal = {0, 0, 1};
   point.extent = 0.1f;
   point.triangle = 0;
@@ -154,8 +151,7 @@ struct Errors {
 /// Errors over pixels in one cut-out's shadow. Without known outlines, each pixel's error is
 /// limited by the area of the finest cells that outlines cross, which have one sample each.
 Errors errors_at(int max_level, const Light& light, const Pattern& pattern, bool outlined) {
-  ShadowRules settings;
-  settings.error_budget.max_level = max_level;
+  ShadowRules settings{.error_budget = {.max_level = max_level}};
   World world = floor_world();
   const std::vector<Polygon3> opaque =
       add_card(world, {{-0.5, -0.5, 0.9}, {1.0, 0.1, 0.2}, {-0.1, 1.0, 0.1}}, pattern);
@@ -206,8 +202,7 @@ TEST(CutOutHardShadow, IsExactNextToSampledCutOuts) {
       world.colors.assign(world.positions.size(), glm::vec4(1.0f));
       world.colors.back().a = 0.9f;
     }
-    ShadowRules settings;
-    settings.error_budget.max_level = 4;
+    ShadowRules settings{.error_budget = {.max_level = 4}};
     ShadowFixture fixture(std::move(world), light, settings);
     EXPECT_EQ(fixture.features().cut_outs_unbounded(), others);
     RandomSpace random(11);

@@ -131,8 +131,7 @@ void expect_edges(std::uint64_t seed, Shown shown, Light (*make)(RandomSpace&)) 
   RandomSpace random(seed);
   double worst = 0.0;
   int partly = 0, off = 0;
-  ShadowRules settings;
-  settings.error_budget.max_level = 4;
+  ShadowRules settings{.error_budget = {.max_level = 4}};
   for (int i = 0; i < 600; ++i) {
     const Light light = make(random);
     const auto pixel = random_pixel(random, i, shown.eye);
@@ -172,9 +171,7 @@ void expect_edges(std::uint64_t seed, Shown shown, Light (*make)(RandomSpace&)) 
 }
 
 Light bulb(RandomSpace& random) {
-  Light light;
-  light.position = {random.between(-3, 3), random.between(-3, 3), random.between(1, 5)};
-  return light;
+  return {.position = {random.between(-3, 3), random.between(-3, 3), random.between(1, 5)}};
 }
 
 Light spot(RandomSpace& random) {
@@ -186,8 +183,7 @@ Light spot(RandomSpace& random) {
 }
 
 Light distant(RandomSpace& random) {
-  Light light;
-  light.type = Light::Type::directional;
+  Light light{.type = Light::Type::directional};
   do light.direction = random.direction();
   while (light.direction.z > -0.1);
   return light;
@@ -223,11 +219,8 @@ TEST(HardShadow, ManySpecksAreSampledToEps) {
   constexpr double space = 1.0 / count;
   const double size = std::sqrt(0.5) * space;
   for (const int max_level : {3, 4, 5}) {
-    RenderSettings settings;
-    settings.asos.max_level = max_level;
-    settings.asos.eps = 1.0 / 256.0;
-    ShadowRules rules;
-    rules.error_budget = ErrorBudget::of(settings);
+    RenderSettings settings{.asos = {.max_level = max_level, .eps = 1.0 / 256.0}};
+    ShadowRules rules{.error_budget = ErrorBudget::of(settings)};
     World world;
     const auto f = static_cast<float>(floor_half);
     add_quad(world, {-f, -f, 0}, {2 * f, 0, 0}, {0, 2 * f, 0}, matte({0.5f, 0.5f, 0.5f}));

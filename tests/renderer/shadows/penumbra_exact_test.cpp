@@ -19,9 +19,7 @@ namespace asos::test::penumbra_exact_test {
 namespace {
 
 Light rectangle_in(RandomSpace& random, glm::dvec3 middle) {
-  Light light;
-  light.type = Light::Type::rectangle;
-  light.position = middle;
+  Light light{.type = Light::Type::rectangle, .position = middle};
   const glm::dvec3 u = random.direction();
   light.half_u = random.between(0.1, 1.0) * u;
   light.half_v = random.between(0.1, 1.0) * random.perpendicular(u);
@@ -31,11 +29,9 @@ Light rectangle_in(RandomSpace& random, glm::dvec3 middle) {
 }
 
 Light tube_in(RandomSpace& random, glm::dvec3 middle) {
-  Light light;
-  light.type = Light::Type::linear;
-  light.position = middle;
-  light.half_u = random.between(0.1, 1.5) * random.direction();
-  return light;
+  return {.type = Light::Type::linear,
+          .position = middle,
+          .half_u = random.between(0.1, 1.5) * random.direction()};
 }
 
 /// A receiver that a fixture places without rounding.
@@ -150,8 +146,7 @@ TEST(Penumbra, ThroughAnApertureIsExact) {
 // A bar a hundredth as wide as the light, moving between light and receiver.
 TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
   for (int max_level = 1; max_level <= 4; ++max_level) {
-    ShadowRules settings;
-    settings.error_budget.max_level = max_level;
+    ShadowRules settings{.error_budget = {.max_level = max_level}};
     const Light light = make_panel({0, 0, 2}, {0, 0, -1}, {0.5, 0, 0}, {0, 0.5, 0});
     Worst worst(1e-4);
     for (int step = 0; step < 200; ++step) {
@@ -160,8 +155,7 @@ TEST(Penumbra, OfAThinBarNeitherVanishesNorPulsates) {
       const Polygon3 bar = add_occluder(world, glm::dvec3(-0.45 + 0.0045 * step, 0, 1) - along,
                                         {0.005, 0, 0}, 2.0 * along);
       ShadowFixture fixture(std::move(world), light, settings);
-      Receiver receiver;
-      receiver.position = {glm::vec3(0.1f, -0.05f, 0.02f)};
+      Receiver receiver{.position = {glm::vec3(0.1f, -0.05f, 0.02f)}};
       receiver.normal = receiver.geometric = {0, 0, 1};
       const double all = form_of(corners_of(light), receiver);
       worst.expect(fixture.visibility(receiver),

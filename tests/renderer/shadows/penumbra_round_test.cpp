@@ -88,9 +88,8 @@ TEST(RoundPenumbra, OfABallIsExact) {
   expect_screens(
       1,
       [](RandomSpace& random) {
-        Light light;
-        light.position = 3.0 * random.direction();
-        light.radius = std::pow(10.0, random.between(-3.0, 0.0));
+        Light light{.position = 3.0 * random.direction(),
+                    .radius = std::pow(10.0, random.between(-3.0, 0.0))};
         return light;
       },
       0.0,
@@ -122,9 +121,7 @@ std::pair<glm::dvec3, glm::dvec3> axes_of(const Light& light) {
 }
 
 Light flat_light(RandomSpace& random) {
-  Light light;
-  light.type = Light::Type::disk;
-  light.position = 3.0 * random.direction();
+  Light light{.type = Light::Type::disk, .position = 3.0 * random.direction()};
   do light.direction = random.direction();
   while (std::abs(glm::dot(light.direction, light.position)) < 0.3);
   light.half_u = random.perpendicular(light.direction);  // of no effect on a disk

@@ -18,8 +18,7 @@ namespace {
 class PenumbraSearch : public testing::Test {
  protected:
   [[nodiscard]] Penumbra look(World world, const Patch& patch, double weight = 1.0) {
-    Light light;
-    light.type = Light::Type::rectangle;
+    Light light{.type = Light::Type::rectangle};
     const float lean = lean_of_light;
     light.position = 2.0f * glm::vec3(std::sin(lean), std::cos(lean), 0);
     light.direction = -glm::normalize(light.position);
@@ -34,14 +33,12 @@ class PenumbraSearch : public testing::Test {
     ShadowWorkspace work;
     NoView view;
     const Frame eye = Frame::pyramid({0, 0, 0}, {-0.5, -0.5, -1}, {1, 0, 0}, {0, 1, 0});
-    ShadowContext block;
-    block.scene = &scene;
-    block.rules.error_budget.eps = 1.0 / 256.0;
-    block.rules.error_budget.tolerance = tolerance;
-    block.frame = &eye;
-    block.view = &view;
-    block.groups = &groups;
-    block.work = &work;
+    ShadowContext block{.scene = &scene,
+                        .rules = {.error_budget = {.eps = 1.0 / 256.0, .tolerance = tolerance}},
+                        .frame = &eye,
+                        .view = &view,
+                        .groups = &groups,
+                        .work = &work};
     SurfacePoint point;
     point.triangle = 0;  // flat
     point.position = position;

@@ -10,20 +10,16 @@ namespace {
 
 StudyPoint point(const std::string& method, const std::string& setting, double seconds,
                  double rmse) {
-  StudyPoint p;
-  p.rung.method = method;
-  p.rung.setting = setting;
-  p.rung.curve = method;
-  p.costs = {{seconds, 0.9 * seconds, 1}, {seconds, seconds, 1}, {seconds, 1.3 * seconds, 1}};
-  p.measures.rmse = rmse;
-  return p;
+  return {
+      .rung = {.method = method, .setting = setting, .curve = method},
+      .costs = {{seconds, 0.9 * seconds, 1}, {seconds, seconds, 1}, {seconds, 1.3 * seconds, 1}},
+      .measures = {.rmse = rmse}};
 }
 
 // Sobol: error 0.1 / sqrt(t). ASOS: 0.01 in 2 s, where Sobol takes 100 s; 0.002 in 20 s, where
 // Sobol would take 2500 s but was measured only up to 400 s.
 SceneStudy power_laws() {
-  SceneStudy study;
-  study.scene = "made up";
+  SceneStudy study{.scene = "made up"};
   study.points = {point("asos", "MAX 1", 2, 0.01),      point("asos", "MAX 2", 20, 0.002),
                   point("sobol", "1 spp", 1, 0.1),      point("sobol", "4 spp", 4, 0.05),
                   point("sobol", "64 spp", 64, 0.0125), point("sobol", "400 spp", 400, 0.005)};
@@ -135,9 +131,8 @@ TEST(Analyse, ComparesUnfinishedAsosWithFinishedSobol) {
 }
 
 TEST(Analyse, ReportsLosses) {
-  SceneStudy study;
-  study.points = {point("asos", "MAX 1", 2, 0.2), point("sobol", "1 spp", 1, 0.1),
-                  point("sobol", "4 spp", 4, 0.05)};
+  SceneStudy study{.points = {point("asos", "MAX 1", 2, 0.2), point("sobol", "1 spp", 1, 0.1),
+                              point("sobol", "4 spp", 4, 0.05)}};
   analyse(study);
   ASSERT_EQ(study.equal_error.size(), 1u);
   EXPECT_EQ(study.equal_error[0].reading, Reading::cheapest);
@@ -161,9 +156,8 @@ TEST(Analyse, ComparesARivalAtItsBest) {
 
 // A method whose errors stop falling: no time would suffice, and its longest time is a lower bound.
 TEST(Analyse, GivesALowerBoundForUnreachedErrors) {
-  SceneStudy study;
-  study.points = {point("asos", "MAX 2", 2, 0.001), point("average", "a", 1, 0.1),
-                  point("average", "b", 3, 0.0999)};
+  SceneStudy study{.points = {point("asos", "MAX 2", 2, 0.001), point("average", "a", 1, 0.1),
+                              point("average", "b", 3, 0.0999)}};
   analyse(study);
   ASSERT_EQ(study.equal_error.size(), 1u);
   EXPECT_EQ(study.equal_error[0].reading, Reading::unreached);
@@ -181,9 +175,8 @@ TEST(Analyse, GivesALowerBoundForUnreachedErrors) {
 
 // Only a method whose last doublings hardly improve is reported as levelling off.
 TEST(Analyse, DistinguishesLevellingOffFromShortMeasurements) {
-  SceneStudy study;
-  study.points = {point("asos", "MAX 2", 2, 1e-4), point("average", "a", 1, 0.1),
-                  point("average", "b", 2, 0.099), point("average", "c", 4, 0.098)};
+  SceneStudy study{.points = {point("asos", "MAX 2", 2, 1e-4), point("average", "a", 1, 0.1),
+                              point("average", "b", 2, 0.099), point("average", "c", 4, 0.098)}};
   analyse(study);
   ASSERT_EQ(study.equal_error.size(), 1u);
   EXPECT_EQ(study.equal_error[0].reading, Reading::levelled);
@@ -202,8 +195,7 @@ TEST(Analyse, DistinguishesLevellingOffFromShortMeasurements) {
 }
 
 TEST(Analyse, CountsSettingsBelowTheNoiseFloor) {
-  SceneStudy study;
-  study.noise = 0.01;
+  SceneStudy study{.noise = 0.01};
   study.points = {point("asos", "a", 1, 0.1), point("asos", "b", 2, 0.03),
                   point("asos", "c", 3, 0.021), point("asos", "d", 4, 0.019),
                   point("sobol", "e", 5, 0.001)};

@@ -7,13 +7,9 @@ namespace {
 
 StudyPoint timed_point(const std::string& method, const std::string& setting, double seconds,
                        double rmse) {
-  StudyPoint p;
-  p.rung.method = method;
-  p.rung.setting = setting;
-  p.rung.curve = method;
-  p.costs = {{seconds, seconds, 1}};
-  p.measures.rmse = rmse;
-  return p;
+  return {.rung = {.method = method, .setting = setting, .curve = method},
+          .costs = {{seconds, seconds, 1}},
+          .measures = {.rmse = rmse}};
 }
 
 // The floor is 0.02. Both settings of ASOS are below it. Sobol's error is 0.1 / sqrt(t), so it

@@ -17,11 +17,7 @@ namespace asos {
 namespace {
 
 StudyPlan small_plan() {
-  StudyPlan plan;
-  plan.scenes = {"builtin:boxes", "builtin:fence"};
-  plan.width = 16;
-  plan.height = 12;
-  return plan;
+  return {.scenes = {"builtin:boxes", "builtin:fence"}, .width = 16, .height = 12};
 }
 
 TEST(Plan, ListsEveryJobOnceInAnOrderOfItsOwn) {
@@ -119,8 +115,7 @@ TEST(Plan, TheReferenceDoublesAndSharesNoPointsWithAnyMethod) {
 }
 
 TEST(Plan, ThePapersCasesBringTheirOwnScenesAndSettings) {
-  StudyPlan plan;
-  plan.paper = true;
+  StudyPlan plan{.paper = true};
   const auto jobs = make_jobs(plan);
   ASSERT_TRUE(jobs);
   std::set<std::string> points;
@@ -138,8 +133,7 @@ TEST(Plan, ThePapersCasesBringTheirOwnScenesAndSettings) {
 }
 
 TEST(Plan, EveryPublishedCaseIsMeasuredOnATruePictureOfItsOwn) {
-  StudyPlan plan;
-  plan.paper = true;
+  StudyPlan plan{.paper = true};
   const auto jobs = make_jobs(plan);
   ASSERT_TRUE(jobs);
   const auto settings_of = [&](const std::string& scene, const std::string& method,

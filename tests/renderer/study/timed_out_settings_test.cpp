@@ -6,13 +6,9 @@ namespace asos {
 namespace {
 
 Job point(const char* setting, const char* curve, int repetition) {
-  Job job;
-  job.kind = JobKind::point;
-  job.rung.method = "asos";
-  job.rung.setting = setting;
-  job.rung.curve = curve;
-  job.repetition = repetition;
-  return job;
+  return {.kind = JobKind::point,
+          .rung = {.method = "asos", .setting = setting, .curve = curve},
+          .repetition = repetition};
 }
 
 TEST(TimedOutSettings, WhatComesLaterOnTheCurveIsDearer) {

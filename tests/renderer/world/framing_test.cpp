@@ -106,10 +106,9 @@ TEST(Framing, SharedScenesFillThePicture) {
 // The viewing direction stays, and units do not matter.
 TEST(Framing, ScalesWithTheScene) {
   for (const double size : {1e-6, 1.0, 1e6}) {
-    World world;
-    world.positions = {glm::vec3(-size, 0, 0), glm::vec3(2 * size, 0, size),
-                       glm::vec3(0, size, 0.5 * size)};
-    world.triangles = {{0, 1, 2}};
+    World world{.positions = {glm::vec3(-size, 0, 0), glm::vec3(2 * size, 0, size),
+                              glm::vec3(0, size, 0.5 * size)},
+                .triangles = {{0, 1, 2}}};
     for (const glm::vec3& p : world.positions) world.bounds.grow(p);
     const Camera camera = default_camera(world, 1.5);
     (void)expect_framed(world, camera, {600, 400}, std::to_string(size));
@@ -172,9 +171,8 @@ TEST(Framing, SceneWithoutExtentStaysFinite) {
 
 // A line seen end on has no width that would determine a distance.
 TEST(Framing, ALineSeenEndOnLiesAheadOfTheEye) {
-  World world;
-  world.positions = {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 0)};
-  world.triangles = {{0, 1, 2}};
+  World world{.positions = {glm::vec3(0, 0, -1), glm::vec3(0, 0, 1), glm::vec3(0, 0, 0)},
+              .triangles = {{0, 1, 2}}};
   for (const glm::vec3& p : world.positions) world.bounds.grow(p);
   const FramedView framed = frame_world(world, Camera{}, 1.0);
   EXPECT_GT(framed.camera.world_from_camera[3].z, 1.0);

@@ -32,20 +32,12 @@ int add_texture(World& world, int side) {
 }
 
 Light light_of(Light::Type type, double radius = 0.0, double angular_diameter_rad = 0.0) {
-  Light light;
-  light.type = type;
-  light.radius = radius;
-  light.angular_diameter_rad = angular_diameter_rad;
-  return light;
+  return {.type = type, .radius = radius, .angular_diameter_rad = angular_diameter_rad};
 }
 
 /// The features of a plain world: those that the world alone cannot exclude.
 RenderFeatures least_needs() {
-  RenderFeatures render_features;
-  render_features.unused_images = true;
-  render_features.boundaries = true;
-  render_features.intersections = true;
-  return render_features;
+  return {.unused_images = true, .boundaries = true, .intersections = true};
 }
 
 std::set<std::string> beyond_least(const RenderFeatures& render_features) {
@@ -158,8 +150,7 @@ TEST(Needs, ImagesThatNothingShowsAreReleased) {
   world.materials[0].base_color_texture.texture = add_texture(world, 4);
   EXPECT_TRUE(find_render_features(world).unused_images);
   add_texture(world, 8);
-  Material hidden;
-  hidden.base_color_texture.texture = 1;
+  Material hidden{.base_color_texture = {.texture = 1}};
   world.materials.push_back(hidden);  // used by no part
   EXPECT_FALSE(find_render_features(world).unused_images);
   release_unused_images(world);
@@ -203,8 +194,7 @@ TEST(Needs, EachKindOfLightIsToldApart) {
 
 TEST(Needs, MaterialsThatNoTriangleShowsDoNotCount) {
   EXPECT_EQ(added_by([](World& world) {
-              Material hidden;
-              hidden.alpha_mode = AlphaMode::blend;
+              Material hidden{.alpha_mode = AlphaMode::blend};
               world.materials.push_back(hidden);
             }),
             Names{});
@@ -218,9 +208,7 @@ TEST(Needs, EveryFeatureIsNamedOnceWithAReason) {
   }
   EXPECT_EQ(RenderFeatures{}.left_out().size(), render_feature_list().size());
   EXPECT_EQ(features_left_out(RenderFeatures::all()).size(), 2u);
-  RenderFeatures not_forced;
-  not_forced.varying_opacity = true;
-  not_forced.sky_picture = true;
+  RenderFeatures not_forced{.varying_opacity = true, .sky_picture = true};
   EXPECT_TRUE(not_forced.with(RenderFeatures::all()).left_out().empty());
   const std::vector<std::string> left_out = find_render_features(plain()).left_out();
   EXPECT_NE(std::find(left_out.begin(), left_out.end(),

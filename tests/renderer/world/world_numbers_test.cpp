@@ -15,8 +15,7 @@ namespace {
 Scene scene_of(const std::vector<Mesh>& meshes) {
   Scene scene;
   for (const Mesh& mesh : meshes) {
-    Instance instance;
-    instance.mesh = static_cast<int>(scene.meshes.size());
+    Instance instance{.mesh = static_cast<int>(scene.meshes.size())};
     scene.meshes.push_back(mesh);
     scene.instances.push_back(instance);
   }
@@ -24,10 +23,8 @@ Scene scene_of(const std::vector<Mesh>& meshes) {
 }
 
 Mesh square(float from, float to, float z) {
-  Mesh mesh;
-  mesh.positions = {{from, from, z}, {to, from, z}, {to, to, z}, {from, to, z}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  return mesh;
+  return {.positions = {{from, from, z}, {to, from, z}, {to, to, z}, {from, to, z}},
+          .triangles = {{0, 1, 2}, {0, 2, 3}}};
 }
 
 TEST(WorldNumbers, TheOriginIsTheMiddleOfAnOrdinaryScene) {

@@ -14,17 +14,14 @@ namespace asos {
 namespace {
 
 Mesh triangle_mesh() {
-  Mesh mesh;
-  mesh.name = "triangle";
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  Mesh mesh{.name = "triangle", .positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
   mesh.normals.assign(3, glm::vec3(0, 0, 1));
   mesh.triangles = {{0, 1, 2}};
   return mesh;
 }
 
 Scene scene_of(Mesh mesh, const glm::dmat4& placed = glm::dmat4(1.0)) {
-  Scene scene;
-  scene.source = "test";
+  Scene scene{.source = "test"};
   scene.meshes.push_back(std::move(mesh));
   scene.instances.push_back({"it", 0, placed});
   return scene;
