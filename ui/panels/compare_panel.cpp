@@ -70,7 +70,7 @@ void snapshot_buttons(Controls& controls, const Previewer& previewer, Frames& fr
       controls.buttons({{"Keep snapshot", full ? "Nine snapshots at most: delete one first."
                                                : "Keep the picture to compare with (S)."},
                         {"Delete snapshot", "Delete the chosen snapshot."}});
-  if (pressed == 0) store_frame(frames, previewer);
+  if (pressed == 0) keep_snapshot(frames, previewer);
   if (pressed == 1) frames.remove(frames.chosen);
 }
 
@@ -113,17 +113,15 @@ std::string picture_words(const PreviewRender& render) {
   return fmt::format("{}, {:.0f} % done", title, std::floor(100.0 * progress.fraction));
 }
 
-std::string kept_words(const Frames& frames) {
-  return fmt::format("Kept {}: {}", frames.stored.size(), frames.stored.back().name);
-}
-
-bool store_frame(Frames& frames, const Previewer& previewer) {
+std::string keep_snapshot(Frames& frames, const Previewer& previewer) {
   const PreviewRender& render = previewer.render();
   std::string name = snapshot_name(render.settings(), processor_seconds(render.film()));
   const Progress progress = render.progress();
   if (!progress.finished)
     name += fmt::format(", {:.0f} % done", std::floor(100.0 * progress.fraction));
-  return frames.store(render.film(), std::move(name), summary_of(previewer));
+  if (!frames.store(render.film(), std::move(name), summary_of(previewer)))
+    return "Nine snapshots at most: delete one first";
+  return fmt::format("Kept {}: {}", frames.stored.size(), frames.stored.back().name);
 }
 
 }  // namespace asos::ui

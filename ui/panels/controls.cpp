@@ -24,22 +24,42 @@ std::string hidden_label(const char* name) {
   return std::string("##") + name;
 }
 
+// Whether a value is being typed into the item.
+bool types() {
+  return ImGui::IsItemActive() && ImGui::GetIO().WantTextInput;
+}
+
+// Paints the item's field without its contents.
+void paint_field(ImVec2 lo, ImVec2 hi) {
+  const bool lit = ImGui::IsItemActive() || ImGui::IsItemHovered();
+  ImGui::GetWindowDrawList()->AddRectFilled(
+      lo, hi, theme::packed(lit ? theme::field_hovered : theme::field),
+      ImGui::GetStyle().FrameRounding);
+}
+
+// Paints centred text from the height `top` on, within the field.
+void paint_words(ImVec2 lo, ImVec2 hi, float top, const std::string& text) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->PushClipRect(lo, hi, true);
+  draw->AddText({std::round(0.5f * (lo.x + hi.x - ImGui::CalcTextSize(text.c_str()).x)), top},
+                theme::packed(theme::text), text.c_str());
+  draw->PopClipRect();
+}
+
 // Paints a bar below text over the slider that was just drawn, whose grab would hide the number.
 // `from` and `to` are fractions of its width. Does nothing while a value is typed.
 void paint_slider(float from, float to, const std::string& text) {
-  const bool active = ImGui::IsItemActive();
-  if (active && ImGui::GetIO().WantTextInput) return;
+  if (types()) return;
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-  const float rounding = ImGui::GetStyle().FrameRounding;
   const float low = std::min(from, to), high = std::max(from, to);
   const auto x_at = [&](float share) {
     return std::round(lo.x + std::clamp(share, 0.0f, 1.0f) * (hi.x - lo.x));
   };
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const bool lit = active || ImGui::IsItemHovered();
-  draw->AddRectFilled(lo, hi, theme::packed(lit ? theme::field_hovered : theme::field), rounding);
+  paint_field(lo, hi);
   // The bar lies below the text, which stays legible at any value.
-  const float em = ImGui::GetFontSize(), thick = std::max(3.0f, std::round(0.28f * em));
+  const float em = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
+  const float thick = std::max(3.0f, std::round(0.28f * em));
   draw->AddRectFilled({x_at(low), hi.y - thick}, {x_at(high), hi.y}, theme::packed(theme::accent));
   // A mark at the value distinguishes an empty bar from a text field.
   const float mark = std::round(0.3f * em);
@@ -47,28 +67,15 @@ void paint_slider(float from, float to, const std::string& text) {
   draw->AddRectFilled({left, hi.y - thick - std::round(0.1f * em)}, {left + mark, hi.y},
                       theme::packed(theme::accent_bright));
 
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  draw->PushClipRect(lo, hi, true);
-  draw->AddText({std::round(0.5f * (lo.x + hi.x - size.x)),
-                 std::round(lo.y + 0.5f * (hi.y - thick - lo.y - size.y))},
-                theme::packed(theme::text), text.c_str());
-  draw->PopClipRect();
+  paint_words(lo, hi, std::round(lo.y + 0.5f * (hi.y - thick - lo.y - line)), text);
 }
 
 // Paints text over the number that was just drawn, instead of Dear ImGui's own.
 void paint_number(const std::string& text) {
-  const bool active = ImGui::IsItemActive();
-  if (active && ImGui::GetIO().WantTextInput) return;
+  if (types()) return;
   const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
-  const bool lit = active || ImGui::IsItemHovered();
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled(lo, hi, theme::packed(lit ? theme::field_hovered : theme::field),
-                      ImGui::GetStyle().FrameRounding);
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  draw->PushClipRect(lo, hi, true);
-  draw->AddText({std::round(0.5f * (lo.x + hi.x - size.x)), lo.y + 0.5f * (hi.y - lo.y - size.y)},
-                theme::packed(theme::text), text.c_str());
-  draw->PopClipRect();
+  paint_field(lo, hi);
+  paint_words(lo, hi, lo.y + 0.5f * (hi.y - lo.y - ImGui::GetTextLineHeight()), text);
 }
 
 // Places the tooltip above the bar, if the item is in it, or to the left of the item's window, so
@@ -233,32 +240,40 @@ bool Controls::reset(const char* name, T& value, const std::optional<T>& to) {
 }
 template bool Controls::reset<int>(const char* name, int& value, const std::optional<int>& to);
 
-bool Controls::slider(const char* name, const char* tooltip, float& value,
-                      const Range<float>& range, const std::function<std::string(float)>& words) {
+// `draw` draws Dear ImGui's widget with this identifier, and `paint` the value over it.
+template <typename T, typename Draw, typename Paint>
+bool Controls::edited(const char* name, const char* tooltip, T& value, const std::optional<T>& to,
+                      const Draw& draw, const Paint& paint) {
   label(name, tooltip);
-  const float before = value;
-  ImGui::SliderFloat(hidden_label(name).c_str(), &value, range.lo, range.hi, "%.2f",
-                     ImGuiSliderFlags_AlwaysClamp);
+  const T before = value;
+  draw(hidden_label(name).c_str());
   note_double_click(name);
-  reset(name, value, range.reset);
-  const float width = range.hi - range.lo, zero = std::clamp(-range.lo / width, 0.0f, 1.0f);
-  paint_slider(zero, (value - range.lo) / width, words(value));
+  reset(name, value, to);
+  paint();
   placed(name, tooltip, Use::edits);
   return value != before;
 }
 
+bool Controls::slider(const char* name, const char* tooltip, float& value,
+                      const Range<float>& range, const std::function<std::string(float)>& words) {
+  const float width = range.hi - range.lo, zero = std::clamp(-range.lo / width, 0.0f, 1.0f);
+  return edited(
+      name, tooltip, value, range.reset,
+      [&](const char* id) {
+        ImGui::SliderFloat(id, &value, range.lo, range.hi, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+      },
+      [&] { paint_slider(zero, (value - range.lo) / width, words(value)); });
+}
+
 bool Controls::slider(const char* name, const char* tooltip, int& value, const Range<int>& range,
                       const std::function<std::string(int)>& words) {
-  label(name, tooltip);
-  const int before = value;
-  ImGui::SliderInt(hidden_label(name).c_str(), &value, range.lo, range.hi, "%d",
-                   ImGuiSliderFlags_AlwaysClamp);
-  note_double_click(name);
-  reset(name, value, range.reset);
-  paint_slider(0.0f, static_cast<float>(value - range.lo) / static_cast<float>(range.hi - range.lo),
-               words(value));
-  placed(name, tooltip, Use::edits);
-  return value != before;
+  const auto width = static_cast<float>(range.hi - range.lo);
+  return edited(
+      name, tooltip, value, range.reset,
+      [&](const char* id) {
+        ImGui::SliderInt(id, &value, range.lo, range.hi, "%d", ImGuiSliderFlags_AlwaysClamp);
+      },
+      [&] { paint_slider(0.0f, static_cast<float>(value - range.lo) / width, words(value)); });
 }
 
 bool Controls::slider(const char* name, const char* tooltip, double& value,
@@ -283,16 +298,13 @@ bool Controls::angle_slider(const char* name, const char* tooltip, double& angle
 bool Controls::log_slider(const char* name, const char* tooltip, double& value,
                           const Range<double>& range,
                           const std::function<std::string(double)>& words) {
-  label(name, tooltip);
-  const double before = value;
-  ImGui::SliderScalar(hidden_label(name).c_str(), ImGuiDataType_Double, &value, &range.lo,
-                      &range.hi, "%.4f",
-                      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-  note_double_click(name);
-  reset(name, value, range.reset);
-  paint_slider(0.0f, log_share(value, range.hi), words(value));
-  placed(name, tooltip, Use::edits);
-  return value != before;
+  constexpr ImGuiSliderFlags flags = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp;
+  return edited(
+      name, tooltip, value, range.reset,
+      [&](const char* id) {
+        ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &range.lo, &range.hi, "%.4f", flags);
+      },
+      [&] { paint_slider(0.0f, log_share(value, range.hi), words(value)); });
 }
 
 float Controls::log_share(double value, double most) {
@@ -317,14 +329,9 @@ bool Controls::drag(const std::string& id, double& value, const Drag& drag) {
 
 bool Controls::number(const char* name, const char* tooltip, double& value, const Drag& how,
                       const std::function<std::string(double)>& words) {
-  label(name, tooltip);
-  const double before = value;
-  drag(hidden_label(name), value, how);
-  note_double_click(name);
-  reset(name, value, how.range.reset);
-  paint_number(words(value));
-  placed(name, tooltip, Use::edits);
-  return value != before;
+  return edited(
+      name, tooltip, value, how.range.reset, [&](const char* id) { drag(id, value, how); },
+      [&] { paint_number(words(value)); });
 }
 
 bool Controls::vector(const char* name, const char* tooltip, glm::dvec3& value, double step,

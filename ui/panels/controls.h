@@ -215,6 +215,9 @@ class Controls {
   void name_text(const char* name);
   void explain(const std::string& name, const char* tooltip);
   void note_double_click(const char* name);
+  template <typename T, typename Draw, typename Paint>
+  bool edited(const char* name, const char* tooltip, T& value, const std::optional<T>& to,
+              const Draw& draw, const Paint& paint);
   template <typename T>
   bool reset(const char* name, T& value, const std::optional<T>& to);
   bool drag(const std::string& id, double& value, const Drag& drag);

@@ -1,10 +1,13 @@
 #include "ui/panels/dialog.h"
 
 #include "ui/input.h"
+#include "ui/theme.h"
 
 #include <imgui.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 namespace asos::ui {
 
@@ -47,6 +50,20 @@ bool Dialog::cancelled(Controls& controls, const char* tooltip) const {
 
 void Dialog::close() const {
   ImGui::CloseCurrentPopup();
+}
+
+void Dialog::losses(const std::vector<std::string>& lines) const {
+  ImGui::PushTextWrapPos(0.0f);
+  for (const std::string& line : lines) ImGui::BulletText("%s", line.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void Dialog::path_words(const std::string& path, const char* fault) const {
+  std::error_code ignored;
+  const bool replaces = !fault && std::filesystem::exists(path, ignored);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
+  ImGui::TextUnformatted(fault ? fault : replaces ? "File exists and will be replaced." : " ");
+  ImGui::PopStyleColor();
 }
 
 }  // namespace asos::ui

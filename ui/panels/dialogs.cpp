@@ -171,12 +171,6 @@ void show_before(UiState& state, const PreviewRender& render) {
                    : std::string("Current picture");
 }
 
-void store(UiState& state, const Previewer& previewer) {
-  state.said = store_frame(state.frames, previewer)
-                   ? kept_words(state.frames)
-                   : std::string("Nine snapshots at most: delete one first");
-}
-
 // Opens another model of the folder.
 void page(UiState& state, Previewer& previewer, int step) {
   if (previewer.scene().asked_for().empty()) return;
@@ -322,7 +316,7 @@ void handle_shortcuts(UiState& state, Previewer& previewer) {
   if (shortcut_pressed(Key::f12) || shortcut_pressed(Key::p)) state.screenshot_requested = true;
   object_shortcuts(state, previewer);
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Right) && shortcut_pressed(Key::s) && previewer.scene())
-    store(state, previewer);
+    state.said = keep_snapshot(state.frames, previewer);
   if (shortcut_pressed(Key::r)) previewer.scene().reload();
   if (!in_panel && shortcut_pressed(Key::page_down)) page(state, previewer, 1);
   if (!in_panel && shortcut_pressed(Key::page_up)) page(state, previewer, -1);

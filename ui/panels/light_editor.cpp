@@ -42,14 +42,7 @@ std::string metres(double length) {
 class LightEditor {
  public:
   LightEditor(Controls& controls, EditedLight& edited, const LightSurroundings& around)
-      : controls_(controls),
-        edited_(edited),
-        light_(edited.light),
-        same_kind_(kind_of(edited.original) == kind_of(edited.light)),
-        scene_(around.scene),
-        looked_at_(around.looked_at),
-        origin_(around.origin),
-        keep_power_(around.keep_power) {}
+      : controls_(controls), edited_(edited), around_(around) {}
 
   /// Returns whether anything was changed.
   bool run() {
@@ -57,7 +50,7 @@ class LightEditor {
     brightness();
     const double area = area_of(light_);
     size();
-    if (keep_power_ && area != area_of(light_)) keep_power(light_, area);
+    if (around_.keep_power && area != area_of(light_)) keep_power(light_, area);
     place();
     turn();
     flags();
@@ -74,7 +67,7 @@ class LightEditor {
     int chosen = static_cast<int>(kind_of(light_));
     if (!controls_.options("Type", kind_options, chosen, {false, std::nullopt})) return;
     // A light that was not directional at first has kept its position.
-    light_ = as_kind(light_, static_cast<LightKind>(chosen), looked_at_,
+    light_ = as_kind(light_, static_cast<LightKind>(chosen), around_.looked_at,
                      edited_.original.type != Light::Type::directional);
     changed_ = true;
   }
@@ -100,9 +93,10 @@ class LightEditor {
 
   /// Edits a length above 0. Returns whether it changed.
   bool length(const char* name, const char* tooltip, double& value, double reset) {
-    const double least = 1e-5 * scene_.radius, most = 1e3 * scene_.radius;
+    const double least = 1e-5 * around_.scene.radius, most = 1e3 * around_.scene.radius;
     const bool edited = controls_.number(
-        name, tooltip, value, {{least, most, original(reset)}, 1e-4 * scene_.radius, true}, metres);
+        name, tooltip, value, {{least, most, original(reset)}, 1e-4 * around_.scene.radius, true},
+        metres);
     changed_ |= edited;
     return edited;
   }
@@ -174,7 +168,9 @@ class LightEditor {
   void radius_or_none() {
     changed_ |= controls_.number(
         "Radius", "Radius in metres. 0: sharp shadows. Ctrl+click to type a value.", light_.radius,
-        {{0.0, 1e3 * scene_.radius, original(edited_.original.radius)}, 1e-4 * scene_.radius, true},
+        {{0.0, 1e3 * around_.scene.radius, original(edited_.original.radius)},
+         1e-4 * around_.scene.radius,
+         true},
         metres);
   }
 
@@ -190,13 +186,13 @@ class LightEditor {
 
   void place() {
     if (!has_position(light_)) return;
-    glm::dvec3 position = light_.position + origin_;
+    glm::dvec3 position = light_.position + around_.origin;
     if (!controls_.vector(
             "Position",
             "Centre of the light, x, y (up), z, in metres. Drag, type, or drag its gizmo.",
-            position, 2e-3 * scene_.radius, edited_.original.position + origin_))
+            position, 2e-3 * around_.scene.radius, edited_.original.position + around_.origin))
       return;
-    move_light(light_, position - origin_ - light_.position);
+    move_light(light_, position - around_.origin - light_.position);
     changed_ = true;
   }
 
@@ -228,12 +224,9 @@ class LightEditor {
 
   Controls& controls_;
   EditedLight& edited_;
-  Light& light_;
-  bool same_kind_;
-  const SceneSize& scene_;
-  const SceneSize& looked_at_;
-  glm::dvec3 origin_;
-  bool keep_power_;
+  const LightSurroundings& around_;
+  Light& light_ = edited_.light;
+  bool same_kind_ = kind_of(edited_.original) == kind_of(light_);
   bool changed_ = false;
 };
 

@@ -32,9 +32,7 @@ void open_question(Controls& controls, OpenScene& scene, OpenChoice& choice,
   const Dialog dialog(title, asked(), 30.0f);
   if (!dialog.open()) return;
   ImGui::TextWrapped("%s", question(choice).c_str());
-  ImGui::PushTextWrapPos(0.0f);
-  for (const std::string& line : losses) ImGui::BulletText("%s", line.c_str());
-  ImGui::PopTextWrapPos();
+  dialog.losses(losses);
   ImGui::TextWrapped("A saved picture (P) or scene (Ctrl+Shift+S) keeps them.");
   ImGui::Spacing();
   const bool open = dialog.confirmed(controls, "Open", "Open it without your changes (Enter).");

@@ -79,12 +79,10 @@ struct PointedAt {
 void lights_panel(Controls& controls, Previewer& previewer, LightChoice& choice,
                   const PointedAt& at);
 
-/// Returns false if there is no room for another snapshot.
-bool store_frame(Frames& frames, const Previewer& previewer);
+/// Keeps the picture as a snapshot if there is room. Returns a message: "Kept 2: ASOS, EPS 1/256".
+std::string keep_snapshot(Frames& frames, const Previewer& previewer);
 /// Method and time of the current picture: "ASOS, 18 s", "ASOS, 22 % done".
 [[nodiscard]] std::string picture_words(const PreviewRender& render);
-/// Message about the newest snapshot: "Kept 2: ASOS, EPS 1/256".
-[[nodiscard]] std::string kept_words(const Frames& frames);
 
 void display_panel(Controls& controls, DisplaySettings& display, const BarParts& bar);
 /// The titles of the layers in the order of Layer; the first is that of the picture.

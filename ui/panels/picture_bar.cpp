@@ -229,9 +229,7 @@ void upper_row(Controls& controls, Previewer& previewer, UiState& state, float w
   });
   cells.add(snapshot, [&] {
     if (controls.button("Snapshot", "Keep the picture to compare with (S).", -1.0f))
-      state.said = store_frame(state.frames, previewer)
-                       ? kept_words(state.frames)
-                       : std::string("Nine snapshots at most: delete one first");
+      state.said = keep_snapshot(state.frames, previewer);
   });
 }
 

@@ -20,9 +20,7 @@ void quit_dialog(Controls& controls, QuitChoice& choice, const std::vector<std::
   const Dialog dialog(title, std::exchange(choice.asked, false), 30.0f);
   if (!dialog.open()) return;
   ImGui::TextUnformatted("Quit and lose these changes?");
-  ImGui::PushTextWrapPos(0.0f);
-  for (const std::string& line : losses) ImGui::BulletText("%s", line.c_str());
-  ImGui::PopTextWrapPos();
+  dialog.losses(losses);
   ImGui::Spacing();
   choice.quit |= dialog.confirmed(controls, "Quit", "Close the window (Enter, Ctrl+Q again).");
   if (saving) {

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <filesystem>
 #include <span>
-#include <system_error>
 
 namespace asos::ui {
 
@@ -116,7 +115,7 @@ void choose_size(Controls& controls, SaveChoice& choice, glm::ivec2 shown) {
   shape_words(controls, choice.size.x > 0 ? choice.size : shown, shown);
 }
 
-// Controls for the path, with a note if a file will be replaced.
+// Controls for the path.
 void choose_file(Controls& controls, SaveChoice& choice) {
   ImGui::Spacing();
   const std::string added = choice.path().substr(choice.stem.size());
@@ -125,14 +124,6 @@ void choose_file(Controls& controls, SaveChoice& choice) {
   ImGui::InputText("##file", &choice.stem);
   controls.placed("File name", "Path of the file. The ending follows from the format.",
                   Controls::Use::edits);
-  std::error_code ignored;
-  if (std::filesystem::exists(choice.path(), ignored)) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::packed(theme::warning));
-    ImGui::TextUnformatted("File exists and will be replaced.");
-    ImGui::PopStyleColor();
-  } else {
-    ImGui::TextDisabled(" ");
-  }
 }
 
 }  // namespace
@@ -148,13 +139,9 @@ void save_dialog(Controls& controls, SaveChoice& choice, const SaveFacts& facts)
   if (choice.what == SaveChoice::What::picture || choice.is_movie())
     choose_size(controls, choice, facts.shown);
   choose_file(controls, choice);
-  const bool save =
-      dialog.confirmed(controls, "Save", "Save in the background (Enter).") && !choice.stem.empty();
-  const bool cancelled = dialog.cancelled(controls, "Close without saving (Esc).");
-  choice.asked = save;
-  if (!save && !cancelled) return;
-  choice.show = false;
-  dialog.close();
+  dialog.path_words(choice.path());
+  dialog.end_saving(controls, "Save", "Save in the background (Enter).", !choice.stem.empty(),
+                    choice);
 }
 
 bool saving_notice(Controls& controls, const PictureJob& job, const WindowRect& area) {

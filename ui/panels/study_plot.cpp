@@ -29,12 +29,7 @@ void draw_mark(ImDrawList& draw, const std::string& method, ImVec2 at, float rad
 /// Placement of the plot's square in the window, and functions to draw into it.
 class Canvas {
  public:
-  Canvas(const StudyPlot& plot, glm::vec2 lo, glm::vec2 hi)
-      : plot_(plot),
-        lo_(lo),
-        hi_(hi),
-        em_(ImGui::GetFontSize()),
-        draw_(ImGui::GetWindowDrawList()) {}
+  Canvas(const StudyPlot& plot, glm::vec2 lo, glm::vec2 hi) : plot_(plot), lo_(lo), hi_(hi) {}
 
   void axes() const {
     draw_->AddRectFilled({lo_.x, lo_.y}, {hi_.x, hi_.y}, theme::packed(theme::plot_ground));
@@ -118,8 +113,8 @@ class Canvas {
 
   const StudyPlot& plot_;
   glm::vec2 lo_, hi_;
-  float em_;
-  ImDrawList* draw_;
+  float em_ = ImGui::GetFontSize();
+  ImDrawList* draw_ = ImGui::GetWindowDrawList();
 };
 
 constexpr float mark_em = 0.9f, gap_em = 0.8f;  // in the legend
