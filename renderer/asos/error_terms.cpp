@@ -66,7 +66,7 @@ void ErrorTerms::learn_normals(int side) {
 
 // The centre's normal does not represent the leaf's. With soft shadows, leaves with normal maps are
 // sampled, and so are those on curved meshes, except inside one triangle with a bright highlight.
-// Otherwise glossy meshes of small triangles are. `gloss_of` returns the leaf's gloss term.
+// `gloss_of` returns the leaf's gloss term.
 ErrorBound ErrorTerms::bumps_with(const Leaf& leaf, const auto& gloss_of) const {
   const RenderScene& scene = *eye_->scene;
   if (!leaf.is_lit()) return ErrorBound::none();
@@ -74,13 +74,12 @@ ErrorBound ErrorTerms::bumps_with(const Leaf& leaf, const auto& gloss_of) const 
   // The mean of a texture of directions is not the mean of the highlights in these directions.
   if (scene.render_features.textures && leaf.material->anisotropy.texture.used())
     return ErrorBound::unknown();
-  if (soft_shadows_ && scene.render_features.normal_maps && has_normal_map(*leaf.material))
+  if (!soft_shadows_) return ErrorBound::unknown(sparkles(leaf));
+  if (scene.render_features.normal_maps && has_normal_map(*leaf.material))
     return ErrorBound::unknown();
-  if (!(scene.features().deviation(leaf.hit.triangle) > 0.0f)) return ErrorBound::none();
-  if (reaches_beyond_triangle(scene.world(), leaf.hit, leaf.square))
-    return ErrorBound::unknown(soft_shadows_ ||
-                               (!scene.lights().empty() && may_be_glossy(*leaf.material)));
-  return ErrorBound::unknown(soft_shadows_ && gloss_of().contrast <= ErrorBudget::usual_contrast);
+  return ErrorBound::unknown(scene.features().deviation(leaf.hit.triangle) > 0.0f &&
+                             (reaches_beyond_triangle(scene.world(), leaf.hit, leaf.square) ||
+                              gloss_of().contrast <= ErrorBudget::usual_contrast));
 }
 
 ErrorBound ErrorTerms::shading(const Leaf& leaf) const {
@@ -148,6 +147,35 @@ ErrorBound ErrorTerms::textures(const Leaf& leaf) const {
       strays_beyond_edges(*eye_, *samples_, leaf) ||
       recedes(*eye_, leaf.ray, leaf.hit, leaf.square) ||
       uneven_products(*eye_, leaf.ray, leaf.hit, leaf.square, leaf.shape, leaf.weight));
+}
+
+// Returns whether highlights of the neighbours may lie in the leaf. If triangles are smaller than
+// the leaf, its own triangle does not represent them, but the spread of the neighbours' normals
+// does.
+bool ErrorTerms::sparkles(const Leaf& leaf) const {
+  const RenderScene& scene = *eye_->scene;
+  const Hit& hit = leaf.hit;
+  if (scene.lights().empty() || !may_be_glossy(*leaf.material) ||
+      !(scene.features().deviation(hit.triangle) > 0.0f) ||
+      !reaches_beyond_triangle(scene.world(), hit, leaf.square))
+    return false;
+  SurfacePoint point = leaf.point;
+  const NormalSpread own = normal_turn(scene.world(), hit, leaf.square, point.shading_normal);
+  const auto across = static_cast<float>(std::sqrt(leaf.weight));
+  const glm::ivec2 pixel = pixel_of(leaf.region);
+  const float strays =
+      across * normals_.strays(pixel.x, pixel.y, own.right / across, own.down / across);
+  if (!(strays > 0.0f)) return false;
+  // A uniform turn along an edge has a variance of 1/12 of its square.
+  point.spread = {};
+  point.spread.variance =
+      (2.0f * strays * strays + glm::dot(own.right, own.right) + glm::dot(own.down, own.down)) /
+      12.0f;
+  const SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, hit);
+  float error = 0.0f;
+  for (const Gloss& lobe : GlossyLobes(seen))
+    error += glint_error(scene.lights(), lobe, point, leaf.to_viewer());
+  return error > eye_->error_budget.tolerance;
 }
 
 ErrorBound ErrorTerms::bend(const Leaf& leaf) const {

@@ -60,6 +60,7 @@ class ErrorTerms {
 
  private:
   [[nodiscard]] ErrorBound bumps_with(const Leaf& leaf, const auto& gloss_of) const;
+  [[nodiscard]] bool sparkles(const Leaf& leaf) const;
   [[nodiscard]] bool varies_behind(const Leaf& leaf, const ViewedRay& seen, const Hit& hit) const;
   [[nodiscard]] HighlightError highlights_error(const GlossyPatch& glossy) const;
   [[nodiscard]] double mirrored_width(const Leaf& leaf) const;

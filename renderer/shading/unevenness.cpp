@@ -154,6 +154,17 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   return error < 1.0f ? error : 1.0f;
 }
 
+float glint_error(std::span<const Light> lights, const Gloss& gloss, const SurfacePoint& point,
+                  glm::vec3 to_viewer) {
+  const float variance = point.spread.variance;
+  if (gloss.roughness >= least_broad_roughness || !(variance > 0.0f)) return 0.0f;
+  const Bend bend{point.shading_normal, {{}, {}, variance}, {}};
+  float error = 0.0f;
+  for (const Light& light : lights)
+    error += highlight_error(light, gloss, bend, point.position, to_viewer);
+  return error < 1.0f ? error : 1.0f;
+}
+
 float falloff_error(const PreparedLight& light, const Receiver& receiver, const Patch& patch) {
   if (light.traits().infinite) return 0.0f;
   // Beyond this distance, in patch sizes, the second-order change of a light's irradiance is below

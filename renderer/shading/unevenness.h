@@ -28,6 +28,11 @@ namespace asos {
                                    const Ray& ray, const Hit& hit, const Patch& patch,
                                    float viewer_distance, LightRule rule = LightRule::physical);
 
+/// Returns the error for highlights of a lobe on a patch whose normals vary by the point's spread;
+/// 0 without narrow highlights. `to_viewer` is unit.
+[[nodiscard]] float glint_error(std::span<const Light> lights, const Gloss& gloss,
+                                const SurfacePoint& point, glm::vec3 to_viewer);
+
 /// Returns the error for the unshadowed irradiance of a light with an extent, which falls off
 /// steeply near it, on a white surface. Returns 0 for lights that are distant compared with the
 /// patch's size.

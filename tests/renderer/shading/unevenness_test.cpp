@@ -136,6 +136,23 @@ TEST(MidpointError, IsTheMostAtALightAndNothingWhereNothingIsKnown) {
   EXPECT_EQ(midpoint_error(world, {&light, 1}, from_above, middle, square(nan), far), 0.0f);
 }
 
+TEST(GlintError, IsThatOfNormalsThatScatterAHighlight) {
+  Light light = make_sun({0, 0, -1}, 3.0f);
+  const auto error = [&](float roughness, float variance) {
+    SurfacePoint point;
+    point.shading_normal = up;
+    point.spread.variance = variance;
+    return glint_error({&light, 1}, Gloss{1.0f, roughness}, point, up);
+  };
+  EXPECT_EQ(error(0.2f, 0.0f), 0.0f);
+  EXPECT_GT(error(0.2f, 0.01f), 0.5f);
+  EXPECT_EQ(error(1.0f, 0.01f), 0.0f);
+  EXPECT_LT(error(0.2f, 1e-6f), 0.01f);
+  // Far from the highlight.
+  light.direction = glm::normalize(glm::vec3(-1, 0, -0.2f));
+  EXPECT_LT(error(0.2f, 1e-4f), 0.01f);
+}
+
 // A spot light above the origin, whose circle of light on z = 0 has radius 1.
 PreparedLight spot(double inner, double outer) {
   Light light{.type = Light::Type::spot,
