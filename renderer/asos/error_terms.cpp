@@ -311,7 +311,7 @@ bool ErrorTerms::casts_soft_shadow(std::uint32_t light) const {
 
 // Each bound is for a shadow's edge along the whole patch at the worst place; half of it is
 // expected. The loop ends once the sum exceeds the allowance.
-ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
+ErrorBound ErrorTerms::penumbra(Leaf& leaf) const {
   if (!leaf.is_lit() || !(leaf.albedo() > 0.0f)) return ErrorBound::none();
   const float reflected = leaf.albedo() * std::numbers::inv_pi_v<float>;
   const auto level =
@@ -326,7 +326,7 @@ ErrorBound ErrorTerms::penumbra(const Leaf& leaf, LightViews& views) const {
         *shadows_, {lights[i], i, leaf.point, leaf.around, reflected, level, leaf.weight},
         *eye_->counts);
     error += static_cast<double>(found.error);
-    views.add({i, found.too_detailed});
+    if (found.too_detailed) leaf.behind_detail.push_back(i);
   }
   return ErrorBound::of(LeafTuning::expected_penumbra * error);
 }

@@ -5,7 +5,6 @@
 #include "renderer/asos/normal_variation.h"
 #include "renderer/asos/selected_lights.h"
 #include "renderer/shading/highlight_unevenness.h"
-#include "renderer/shadows/light_view.h"
 #include "renderer/shadows/shadow_context.h"
 
 #include <glm/glm.hpp>
@@ -42,9 +41,8 @@ class ErrorTerms {
   [[nodiscard]] ErrorBound gloss(const Leaf& leaf) const;
   /// The widening of a pyray by a curved mirror or refractor (CGF'98 sections 5.2.1 to 5.2.4).
   [[nodiscard]] ErrorBound mirror(const Leaf& leaf) const;
-  /// Edges of soft shadows (CGF'98 section 4.3). Adds the views of lights that it computes to
-  /// `views`.
-  [[nodiscard]] ErrorBound penumbra(const Leaf& leaf, LightViews& views) const;
+  /// Edges of soft shadows (CGF'98 section 4.3). Adds to leaf.behind_detail.
+  [[nodiscard]] ErrorBound penumbra(Leaf& leaf) const;
 
   /// Returns the sum of all terms but layers and penumbrae. Ends early once a term is unbounded.
   [[nodiscard]] ErrorBound shading(const Leaf& leaf) const;

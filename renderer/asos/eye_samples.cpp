@@ -123,7 +123,7 @@ void EyeSamples::show(const PyrayLeaf& part, Leaf& leaf) const {
   leaf.hit = hit(part.sample);
   leaf.shape = footprint_shape(leaf.region, leaf.at);
   leaf.material = nullptr;
-  leaf.views.clear();
+  leaf.behind_detail.clear();
   leaf.even = nullptr;
   leaf.observed = {};
   if (eye_->observed.observer && leaf.root == eye_->observed_root) {

@@ -59,7 +59,7 @@ LeafDecision LeafChooser::decide(Leaf& leaf, bool shared, bool may_split) {
     return decision;
   }
   if (decision.sampled()) return decision;
-  const ErrorBound penumbra = terms_.penumbra(leaf, leaf.views);
+  const ErrorBound penumbra = terms_.penumbra(leaf);
   const bool even = penumbra.error <= static_cast<double>(error_budget.tolerance);
   if (!even || decision.estimator == Estimator::centre) {
     bound += penumbra;

@@ -8,7 +8,6 @@
 #include "renderer/pyray/error_budget.h"
 #include "renderer/samples/thread_local_cache.h"
 #include "renderer/shadows/leaf.h"
-#include "renderer/shadows/light_view.h"
 #include "renderer/shadows/shadow_context.h"
 
 #include <cstdint>

@@ -69,8 +69,8 @@ Estimate refined_shadow(const ShadowContext& block, const ShadowQuery& query,
                         const Receiver& middle, RenderStatistics& counts) {
   const ErrorBudget& error_budget = block.rules.error_budget;
   const auto tolerance = static_cast<double>(error_budget.tolerance);
-  const auto bound = ErrorBound::unknown(query.lit.light.entered ||
-                                         query.leaf.views.of(query.lit.index).too_detailed);
+  const bool detailed = std::ranges::binary_search(query.leaf.behind_detail, query.lit.index);
+  const auto bound = ErrorBound::unknown(query.lit.light.entered || detailed);
   return query.takes_rays(error_budget, LeafCosts::light_view, bound)
              ? sampled_shadow(block, query, counts)
              : resolved_shadow(block, query, middle, tolerance, counts);

@@ -8,7 +8,6 @@
 #include "renderer/shading/footprint.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/surface.h"
-#include "renderer/shadows/light_view.h"
 
 #include <glm/glm.hpp>
 
@@ -38,8 +37,10 @@ struct Leaf : PyrayLeaf {
   Patch square;                        ///< patch of the surface that a square with its area covers
   /// Patch of the square around the sample that contains the whole leaf.
   Patch around;
-  float distance = 0.0f;               ///< from the viewer, in world units
-  LightViews views;                    ///< computed from its sample
+  float distance = 0.0f;  ///< from the viewer, in world units
+  /// Extended lights, in ascending order, before which there are so many boundaries that only rays
+  /// are useful; ErrorTerms::penumbra finds them.
+  std::vector<std::uint32_t> behind_detail;
   UniformShadowPatch* even = nullptr;  ///< the evenly lit patch around it, if any
   ObservedLeaf observed;
 

@@ -48,14 +48,13 @@ EyeBlock block_of(World world, std::vector<Light> lights, RenderSettings setting
 TEST(ErrorTerms, AreZeroOnAPlaneUnderASun) {
   const Light sun = make_sun({0, -0.6, -0.8});
   const EyeBlock block = block_of(wall(matte({0.8f, 0.8f, 0.8f})), {sun});
-  const Leaf leaf = block.leaf(1, 2);
+  Leaf leaf = block.leaf(1, 2);
   ASSERT_TRUE(leaf.is_lit());
   const ErrorBound sum = block.terms().shading(leaf);
   EXPECT_EQ(sum.error, 0.0);
   EXPECT_FALSE(sum.unbounded);
-  LightViews views;
-  EXPECT_EQ(block.terms().penumbra(leaf, views).error, 0.0);
-  EXPECT_TRUE(views.empty());
+  EXPECT_EQ(block.terms().penumbra(leaf).error, 0.0);
+  EXPECT_TRUE(leaf.behind_detail.empty());
 }
 
 TEST(ErrorTerms, LeafHoldsWhatItsSampleShows) {
@@ -136,10 +135,9 @@ TEST(ErrorTerms, PenumbraIsFoundWhereItLies) {
   double found = 0.0, none = 0.0;
   for (int i = 0; i < EyeBlock::side * EyeBlock::side; ++i) {
     const int x = i % EyeBlock::side, y = i / EyeBlock::side;
-    LightViews views;
-    found = std::max(found, crossed.terms().penumbra(crossed.leaf(x, y), views).error);
-    LightViews no_views;
-    none = std::max(none, beside.terms().penumbra(beside.leaf(x, y), no_views).error);
+    Leaf shaded_leaf = crossed.leaf(x, y), lit_leaf = beside.leaf(x, y);
+    found = std::max(found, crossed.terms().penumbra(shaded_leaf).error);
+    none = std::max(none, beside.terms().penumbra(lit_leaf).error);
   }
   EXPECT_GT(found, 0.0);
   EXPECT_EQ(none, 0.0);
