@@ -173,7 +173,7 @@ bool ErrorTerms::sparkles(const Leaf& leaf) const {
       12.0f;
   const SurfaceMaterial seen = surface_material(scene.world(), scene.render_features, hit);
   float error = 0.0f;
-  for (const Gloss& lobe : GlossyLobes(seen))
+  for (const Lobe& lobe : GlossyLobes(seen))
     error += glint_error(scene.lights(), lobe, point, leaf.to_viewer());
   return error > eye_->error_budget.tolerance;
 }
@@ -220,7 +220,7 @@ ErrorBound ErrorTerms::gloss(const Leaf& leaf) const {
   }
   glossy.white = static_cast<float>(1.0 / leaf.weight);
   ErrorBound all;
-  for (const Gloss& lobe : GlossyLobes(seen)) {
+  for (const Lobe& lobe : GlossyLobes(seen)) {
     glossy.lobe = lobe;
     all += ErrorBound::of(reflectance_error(glossy));
     if (!highlights || !has_highlights(lobe.roughness)) continue;

@@ -37,7 +37,7 @@ bool shows_highlight(const EyeContext& eye, std::uint32_t light, const SurfacePo
 HighlightRays rays_to_highlight(const EyeContext& eye, std::uint32_t light,
                                 const SurfacePoint& point, glm::vec3 to_viewer, float roughness) {
   const glm::vec3 mirrored = glm::reflect(-to_viewer, point.shading_normal);
-  const float alpha = std::max(roughness, roughness_floor) * std::max(roughness, roughness_floor);
+  const float alpha = alpha_of(roughness);
   const glm::vec3 right = 2.0f * alpha * any_perpendicular(mirrored);
   const glm::vec3 down = glm::cross(mirrored, right);
   HighlightRays rays;

@@ -42,7 +42,7 @@ float LeafTransport::unsure_share(const Illumination& lit, glm::vec3 seen) const
   if (!may_matter || lesser * lit.highlight > tolerance || !lit.lit || eye_->mirrored())
     return lesser;
   const auto [sent, arrived] = rays_to_highlight(
-      *eye_, lit.index, lit.point, lit.lit->view.to_viewer, lit.lit->material.roughness);
+      *eye_, lit.index, lit.point, lit.lit->view.to_viewer, lit.lit->material.lobe.roughness);
   return arrived == (largest(seen) > 0.5f ? sent : 0) ? lesser : 1.0f - lesser;
 }
 

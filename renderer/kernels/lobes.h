@@ -10,7 +10,7 @@
 #include "renderer/kernels/highlights.h"
 #include "renderer/kernels/lane.h"
 #include "renderer/shading/ggx.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_lobe.h"
 #include "renderer/shading/sheen.h"
 
 #include <array>

@@ -62,7 +62,7 @@ void ShadingPoints::add(const LightingQuery& lit, glm::vec3 weight) {
 
   const Patch& patch = lit.view.patch;
   const bool is_point = patch.right == glm::vec3(0.0f) && patch.down == glm::vec3(0.0f);
-  const bool plain_lobe = !(material.sheen > 0.0f) && material.stretch.none();
+  const bool plain_lobe = !material.lobe.is_sheen() && material.lobe.stretch.none();
   turns[i] = is_point && point.spread.flat() && plain_lobe ? 0.0f : 1.0f;
   if (turns[i] == 0.0f) return;
   viewer_nearness[i] = 1.0f / lit.view.distance;
@@ -76,12 +76,12 @@ void ShadingPoints::add(const LightingQuery& lit, glm::vec3 weight) {
 void ShadingPoints::set_material(std::size_t i, const ViewedMaterial& material, glm::vec3 share) {
   diffuse.set(i, share * material.diffuse * std::numbers::inv_pi_v<float>);
   falloff[i] = material.falloff;
-  f0.set(i, share * material.f0);
-  f90_less_f0.set(i, share * (material.f90 - material.f0));
-  const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
-  alpha[i] = roughness * roughness;
-  sheen[i] = material.sheen;
-  stretch.set(i, material.stretch.along);
+  const Lobe& lobe = material.lobe;
+  f0.set(i, share * lobe.f0);
+  f90_less_f0.set(i, share * (lobe.f90 - lobe.f0));
+  alpha[i] = lobe.alpha();
+  sheen[i] = lobe.sheen;
+  stretch.set(i, lobe.stretch.along);
 }
 
 void ShadingPoints::add(const SurfacePoint& point) {

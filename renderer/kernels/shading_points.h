@@ -40,7 +40,7 @@ struct ShadingPoints {
   Floats alpha{};            ///< squared roughness, floored
   Floats shows_lights{};     ///< MirroredLights as a number
   Floats turns{};            ///< 0 where the following fields are 0; else 1
-  Floats sheen{};            ///< as in ViewedMaterial
+  Floats sheen{};            ///< as in Lobe
   Vectors stretch;           ///< LobeStretch::along; only where `turns` is 1
   Floats viewer_nearness{};  ///< 1 / distance
   Vectors patch_right, patch_down;

@@ -6,7 +6,7 @@
 // Include after foreach_target.h, whose definitions these use.
 #include "renderer/kernels/lane.h"
 #include "renderer/shading/ggx.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_lobe.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <algorithm>

@@ -35,10 +35,10 @@ bool SampledReflections::turn_by_lobe(const Reflection& reflection, glm::dvec2 p
   const glm::vec3 to_viewer = -reflection.seen.ray.direction;
   const bool refracts = reflection.ratio > 0.0f;
   const glm::vec3 normal = refracts ? point.shading_normal : mirroring_normal(point, to_viewer);
-  ViewedMaterial material = *reflection.lobe;
+  Lobe own = *reflection.lobe;
   if (normal != point.shading_normal)
-    material.stretch.along -= glm::dot(material.stretch.along, normal) * normal;
-  const LobeDirections lobe(material, point.spread.variance, normal, to_viewer);
+    own.stretch.along -= glm::dot(own.stretch.along, normal) * normal;
+  const LobeDirections lobe(own, point.spread.variance, normal, to_viewer);
   if (refracts) {
     const auto found = lobe.refracted(place, reflection.ratio);
     if (found && glm::dot(*found, point.geometric_normal) < 0.0f) direction = glm::dvec3(*found);

@@ -21,7 +21,8 @@ SurfaceMaterial black_material() {
 }
 
 bool finite(const ViewedMaterial& m) {
-  const glm::vec3 sum = m.diffuse + m.specular + m.f0 + m.f90 + m.ambient + m.stretch.along;
+  const glm::vec3 sum =
+      m.diffuse + m.specular + m.ambient + m.lobe.f0 + m.lobe.f90 + m.lobe.stretch.along;
   return std::isfinite(sum.x + sum.y + sum.z);
 }
 
@@ -188,12 +189,12 @@ bool SimdSamples::view_layers(const LayeredHit& hit, ShadingPoints& points) {
 
 void SimdSamples::set_viewed(std::size_t i, const ViewedMaterial& seen, ShadingPoints& points) {
   points.set_material(i, seen, glm::vec3(1.0f));
-  if (seen.sheen > 0.0f || !seen.stretch.none()) points.turns[i] = 1.0f;
+  if (seen.lobe.is_sheen() || !seen.lobe.stretch.none()) points.turns[i] = 1.0f;
   MaterialBatch& materials = arrays_->materials;
   materials.specular.set(i, seen.specular);
   materials.ambient.set(i, seen.ambient);
   materials.below[i] = seen.below;
-  materials.roughness[i] = seen.roughness;
+  materials.roughness[i] = seen.lobe.roughness;
 }
 
 // Computes the weights of a hit's layers, as Shader::add_material does, and of the light behind it.

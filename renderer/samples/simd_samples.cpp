@@ -195,7 +195,7 @@ bool SimdSamples::reflect(std::size_t i, const ViewedRay& seen, ShadingPoints& p
   glm::vec3 later(0.0f);
   if (!shader.reflect(seen, point(i, points), material, layer, transport, later, counts))
     return false;
-  points.set_mirrored(i, shader.mirrored_lights(hit.triangle, round_roughness(material)));
+  points.set_mirrored(i, shader.mirrored_lights(hit.triangle, material.lobe.round_roughness()));
   return true;
 }
 
@@ -228,8 +228,8 @@ glm::vec3 SimdSamples::unlit_radiance(std::size_t i, const ShadingPoints& points
   ViewedMaterial seen{};
   seen.ambient = ambient;
   seen.specular = specular;
-  seen.roughness = roughness;
-  seen.stretch.along = points.stretch.at(i);
+  seen.lobe.roughness = roughness;
+  seen.lobe.stretch.along = points.stretch.at(i);
   return emission + reflected_sky(sky_, seen, points.normal.at(i), points.to_viewer.at(i));
 }
 
@@ -239,12 +239,10 @@ ViewedMaterial SimdSamples::viewed_material(std::size_t i, const ShadingPoints& 
   seen.diffuse = std::numbers::pi_v<float> * points.diffuse.at(i);
   seen.falloff = points.falloff[i];
   seen.specular = arrays_->materials.specular.at(i);
-  seen.f0 = f0;
-  seen.f90 = glm::vec3(points.f90_less_f0.x[i] + f0.x);
-  seen.roughness = arrays_->materials.roughness[i];
+  seen.lobe = {f0, glm::vec3(points.f90_less_f0.x[i] + f0.x), arrays_->materials.roughness[i]};
   seen.ambient = arrays_->materials.ambient.at(i);
-  seen.sheen = points.sheen[i];
-  seen.stretch.along = points.stretch.at(i);
+  seen.lobe.sheen = points.sheen[i];
+  seen.lobe.stretch.along = points.stretch.at(i);
   return seen;
 }
 

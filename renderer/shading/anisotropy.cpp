@@ -8,15 +8,6 @@
 #include <cmath>
 
 namespace asos {
-namespace {
-
-float floored_alpha(float roughness) {
-  const float floored = std::clamp(roughness, roughness_floor, 1.0f);
-  return floored * floored;
-}
-
-}  // namespace
-
 SurfaceAnisotropy anisotropy_of(const Anisotropy& material, glm::vec3 texel) {
   SurfaceAnisotropy at;
   at.strength = material.strength * texel.b;
@@ -46,7 +37,7 @@ LobeStretch lobe_stretch(const World& world, const Hit& hit, const SurfaceAnisot
   if (!frame.known()) return {};
   const glm::vec3 along =
       anisotropy.direction.x * frame.along_u + anisotropy.direction.y * frame.along_v;
-  const float across = floored_alpha(roughness);
+  const float across = alpha_of(roughness);
   const float wide = glm::mix(across, 1.0f, anisotropy.strength * anisotropy.strength);
   const float stretched = wide * wide - across * across;
   if (!(stretched > 0.0f)) return {};
@@ -72,42 +63,11 @@ glm::vec2 tangent_turn(const World& world, const Hit& hit, const Patch& patch, g
   return {glm::dot(across, steps.right), glm::dot(across, steps.down)};
 }
 
-float alpha_along(const LobeStretch& stretch, float roughness) {
-  const float across = floored_alpha(roughness);
-  return std::min(1.0f, std::sqrt(across * across + glm::dot(stretch.along, stretch.along)));
-}
-
-float widest_roughness(const ViewedMaterial& material) {
-  if (material.stretch.none()) return material.roughness;
-  return std::sqrt(alpha_along(material.stretch, material.roughness));
-}
-
 float widest_roughness(const SurfaceMaterial& material) {
   const float strength = material.anisotropy.strength;
   if (!(strength > 0.0f)) return material.roughness;
   const float across = material.roughness * material.roughness;
   return std::sqrt(glm::mix(across, 1.0f, strength * strength));
-}
-
-float round_roughness(const ViewedMaterial& material) {
-  if (material.stretch.none()) return material.roughness;
-  const float along = alpha_along(material.stretch, material.roughness);
-  return std::sqrt(std::sqrt(floored_alpha(material.roughness) * along));
-}
-
-float away_from_peak(glm::vec3 normal, glm::vec3 half, const LobeStretch& stretch,
-                     float roughness) {
-  const float away2 = std::max(0.0f, 2.0f - 2.0f * glm::dot(normal, half));
-  if (stretch.none()) return std::sqrt(away2);
-  const float along = glm::dot(half, glm::normalize(stretch.along));
-  const float narrower = floored_alpha(roughness) / alpha_along(stretch, roughness);
-  const float across2 = std::max(0.0f, away2 - along * along);
-  return std::sqrt(across2 + along * along * narrower * narrower);
-}
-
-LobeNorms stretched_norms(const LobeStretch& stretch, float roughness, float n_dot_v) {
-  return stretched_lobe_norms(n_dot_v, std::sqrt(floored_alpha(roughness)),
-                              alpha_along(stretch, roughness), stretch.seen_along2);
 }
 
 }  // namespace asos

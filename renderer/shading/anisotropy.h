@@ -1,7 +1,5 @@
 #pragma once
 
-#include "renderer/shading/brdf.h"
-#include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/surface.h"
 
 #include <glm/glm.hpp>
@@ -31,23 +29,7 @@ namespace asos {
 [[nodiscard]] glm::vec2 tangent_turn(const World& world, const Hit& hit, const Patch& patch,
                                      glm::vec3 normal);
 
-/// Returns the squared roughness along the stretch, for a lobe of this roughness across it. The
-/// roughness is at least roughness_floor.
-[[nodiscard]] float alpha_along(const LobeStretch& stretch, float roughness);
-
-/// widest_roughness() is the roughness of a stretched lobe in its rougher direction; it decides
-/// whether a surface reflects sharply. round_roughness() is that of the isotropic lobe with the
-/// same peak; it determines the blur.
-[[nodiscard]] float widest_roughness(const ViewedMaterial& material);
+/// Returns Lobe::widest_roughness of a material's own lobe, where its stretch is unknown.
 [[nodiscard]] float widest_roughness(const SurfaceMaterial& material);
-[[nodiscard]] float round_roughness(const ViewedMaterial& material);
-
-/// Returns the distance of a half vector from the normal. The part along the stretch is scaled by
-/// the ratio of the lobe's widths across and along it. Both vectors are unit.
-[[nodiscard]] float away_from_peak(glm::vec3 normal, glm::vec3 half, const LobeStretch& stretch,
-                                   float roughness);
-
-/// As lobe_norms, for a stretched lobe.
-[[nodiscard]] LobeNorms stretched_norms(const LobeStretch& stretch, float roughness, float n_dot_v);
 
 }  // namespace asos

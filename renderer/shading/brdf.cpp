@@ -1,9 +1,7 @@
 #include "renderer/shading/brdf.h"
 
 #include "renderer/geometry/largest.h"
-#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/ggx.h"
-#include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/sheen.h"
 #include "renderer/shading/thin_film.h"
 
@@ -14,10 +12,6 @@
 namespace asos {
 namespace {
 
-float floored(float roughness) {
-  return std::clamp(roughness, roughness_floor, 1.0f);
-}
-
 template <typename Reflectance>
 Reflectance environment_specular(const Reflectance& f0, const Reflectance& f90,
                                  const LobeNorms& norms) {
@@ -27,37 +21,37 @@ Reflectance environment_specular(const Reflectance& f0, const Reflectance& f90,
 }  // namespace
 
 float ggx_lobe(float roughness, const BrdfAngles& angles) {
-  const float alpha = floored(roughness) * floored(roughness);
-  const float a2 = alpha * alpha;
+  const float a2 = alpha_of(roughness) * alpha_of(roughness);
   const float nl = angles.n_dot_l, nv = angles.n_dot_v;
   return ggx_over(a2, ggx_stretched(a2, angles.n_dot_h),
                   smith_shadowing(nl, smith_root(nl, a2), nv, smith_root(nv, a2)));
 }
 
-glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v, glm::vec3 f90) {
-  return environment_specular(f0, f90, lobe_norms(n_dot_v, roughness));
+LobeNorms lobe_norms(const Lobe& lobe, float n_dot_v) {
+  if (lobe.stretch.none()) return lobe_norms(n_dot_v, lobe.roughness);
+  return stretched_lobe_norms(n_dot_v, std::sqrt(lobe.alpha()), lobe.alpha_along(),
+                              lobe.stretch.seen_along2);
+}
+
+glm::vec3 environment_specular(const Lobe& lobe, float n_dot_v) {
+  return environment_specular(lobe.f0, lobe.f90, lobe_norms(lobe, n_dot_v));
 }
 
 ViewedMaterial viewed(const SurfaceMaterial& material, float n_dot_v) {
-  ViewedMaterial seen{};
-  seen.f0 = material.f0;
-  seen.f90 = glm::vec3(material.f90);
+  ViewedMaterial seen{{material.f0, glm::vec3(material.f90), material.roughness, material.stretch}};
+  Lobe& lobe = seen.lobe;
   float dielectric_f0 = material.dielectric_f0, dielectric_f90 = material.dielectric_f90;
   // KHR_materials_iridescence: mix(base, the base below a film, factor).
   if (const SurfaceThinFilm& film = material.film; film.factor > 0.0f) {
     const glm::vec3 fresnel = thin_film_fresnel(film, material.f0, n_dot_v);
-    seen.f0 = glm::mix(seen.f0, fresnel, film.factor);
-    seen.f90 = glm::mix(seen.f90, fresnel, film.factor);
+    lobe.f0 = glm::mix(lobe.f0, fresnel, film.factor);
+    lobe.f90 = glm::mix(lobe.f90, fresnel, film.factor);
     const float most = largest(thin_film_fresnel(film, glm::vec3(dielectric_f0), n_dot_v));
     dielectric_f0 = glm::mix(dielectric_f0, most, film.factor);
     dielectric_f90 = glm::mix(dielectric_f90, most, film.factor);
   }
-  seen.roughness = material.roughness;
-  seen.stretch = material.stretch;
-  const LobeNorms norms = material.stretch.none()
-                              ? lobe_norms(n_dot_v, material.roughness)
-                              : stretched_norms(material.stretch, material.roughness, n_dot_v);
-  seen.specular = environment_specular(seen.f0, seen.f90, norms);
+  const LobeNorms norms = lobe_norms(lobe, n_dot_v);
+  seen.specular = environment_specular(lobe.f0, lobe.f90, norms);
   seen.below = 1.0f - environment_specular(dielectric_f0, dielectric_f90, norms);
   const glm::vec3 albedo =
       material.base_color * ((1.0f - material.metallic) * (1.0f - material.transmission) *
@@ -76,29 +70,24 @@ ViewedMaterial viewed_from_behind(SurfaceMaterial material, float n_dot_v) {
 }
 
 ViewedMaterial diffuse_part(ViewedMaterial material) {
-  material.specular = material.f0 = glm::vec3(0.0f);
-  material.f90 = glm::vec3(0.0f);
-  material.roughness = 1.0f;
-  material.stretch = {};
+  material.lobe = {glm::vec3(0.0f), glm::vec3(0.0f), 1.0f};
+  material.specular = glm::vec3(0.0f);
   return material;
 }
 
 ViewedMaterial viewed(const SurfaceCoat& coat, float n_dot_v) {
   const float fresnel = schlick(coat_f0, 1.0f, schlick_weight(n_dot_v));
-  ViewedMaterial seen{};
-  seen.f0 = seen.f90 = glm::vec3(coat.factor * fresnel);
-  seen.roughness = coat.roughness;
-  seen.specular = environment_specular(seen.f0, coat.roughness, n_dot_v, seen.f90);
+  const glm::vec3 reflectance(coat.factor * fresnel);
+  ViewedMaterial seen{{reflectance, reflectance, coat.roughness}};
+  seen.specular = environment_specular(seen.lobe, n_dot_v);
   return seen;
 }
 
 ViewedMaterial viewed(const SurfaceSheen& sheen, float n_dot_v) {
   const float albedo = sheen_albedo(n_dot_v, sheen.roughness);
-  ViewedMaterial seen{};
-  seen.f0 = seen.f90 = sheen.color / std::max(albedo, 1.0f);
+  const glm::vec3 color = sheen.color / std::max(albedo, 1.0f);
+  ViewedMaterial seen{{color, color, 1.0f, {}, std::max(sheen.roughness, sheen_roughness_floor)}};
   seen.ambient = sheen.color * std::min(albedo, 1.0f);
-  seen.roughness = 1.0f;  // as broad as diffuse light
-  seen.sheen = std::max(sheen.roughness, sheen_roughness_floor);
   return seen;
 }
 
@@ -113,16 +102,15 @@ glm::vec3 diffuse_brdf(const ViewedMaterial& material, float schlick) {
 
 glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles) {
   return diffuse_brdf(material, schlick_weight(angles.v_dot_h)) +
-         specular_brdf(material, angles, lobe_of(material, angles));
+         specular_brdf(material.lobe, angles, round_lobe(material.lobe, angles));
 }
 
-float lobe_of(const ViewedMaterial& material, const BrdfAngles& angles) {
-  return material.sheen > 0.0f ? sheen_lobe(material.sheen, angles)
-                               : ggx_lobe(material.roughness, angles);
+float round_lobe(const Lobe& lobe, const BrdfAngles& angles) {
+  return lobe.is_sheen() ? sheen_lobe(lobe.sheen, angles) : ggx_lobe(lobe.roughness, angles);
 }
 
-glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles, float lobe) {
-  return schlick(material.f0, material.f90, schlick_weight(angles.v_dot_h)) * lobe;
+glm::vec3 specular_brdf(const Lobe& lobe, const BrdfAngles& angles, float value) {
+  return schlick(lobe.f0, lobe.f90, schlick_weight(angles.v_dot_h)) * value;
 }
 
 }  // namespace asos

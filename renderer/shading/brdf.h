@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/shading/lobe.h"
+#include "renderer/shading/lobe_norms.h"
 #include "renderer/shading/surface.h"
 
 #include <glm/glm.hpp>
@@ -15,32 +17,20 @@ struct BrdfAngles {
   float v_dot_h = 0.0f;
 };
 
-/// Smallest roughness of highlights. Below it, the highlight of a punctual light is a few pixels
-/// wide and hundreds of times brighter than white. Point samples would hit or miss it by chance,
-/// and no method could antialias it. A perfect mirror is shown with this roughness instead.
-inline constexpr float roughness_floor = 0.1f;
-/// Smallest roughness of broad highlights. They are some 40 degrees wide and vary little more than
-/// diffuse reflection, so one sample per pixel is enough.
-inline constexpr float least_broad_roughness = 0.6f;
-
 /// Reflectance at normal incidence of KHR_materials_clearcoat's coat, whose index is 1.5.
 inline constexpr float coat_f0 = 0.04f;
 
 /// Values of a material that depend on the viewer but not on the light; computed once per point.
 struct ViewedMaterial {
-  glm::vec3 diffuse;   ///< albedo of the Lambert part, for light from the viewer's direction
-  glm::vec3 specular;  ///< fraction of a constant environment that the GGX lobe reflects
-  glm::vec3 f0;
-  float roughness;
-  glm::vec3 f90{1.0f};
-  float falloff = 0.0f;  ///< loss of `diffuse` per unit of Schlick's (1 - v.h)^5, as a fraction
+  Lobe lobe;
+  glm::vec3 diffuse{0.0f};   ///< albedo of the Lambert part, for light from the viewer's direction
+  float falloff = 0.0f;      ///< loss of `diffuse` per unit of Schlick's (1 - v.h)^5, as a fraction
+  glm::vec3 specular{0.0f};  ///< fraction of a constant environment that the lobe reflects
   /// Fraction of a constant environment that the Lambert part reflects, times the material's
   /// occlusion.
   glm::vec3 ambient{0.0f};
   /// Fraction of a constant environment that the dielectric's lobe transmits to the layers below.
   float below = 1.0f;
-  float sheen = 0.0f;        ///< roughness of Charlie's lobe; 0: the lobe is GGX
-  LobeStretch stretch = {};  ///< of the GGX lobe; `roughness` is that across the stretch
 };
 
 /// Computes the values for a viewer. The diffuse part is weighted by 1 - F(v.h) of the dielectric's
@@ -79,20 +69,20 @@ struct ViewedMaterial {
 /// Returns radiance per irradiance (1 / sr) for light from one direction. The caller multiplies by
 /// the cosine.
 [[nodiscard]] glm::vec3 brdf(const ViewedMaterial& material, const BrdfAngles& angles);
-/// Returns the specular part alone; `lobe` is the lobe's D * V.
-[[nodiscard]] glm::vec3 specular_brdf(const ViewedMaterial& material, const BrdfAngles& angles,
-                                      float lobe);
+/// Returns the part of a lobe alone; `value` is its D * V.
+[[nodiscard]] glm::vec3 specular_brdf(const Lobe& lobe, const BrdfAngles& angles, float value);
 
-/// Returns the material's own lobe without Fresnel: isotropic GGX, or Charlie's for sheen.
-[[nodiscard]] float lobe_of(const ViewedMaterial& material, const BrdfAngles& angles);
+/// Returns D * V of a lobe, in 1 / sr, without Fresnel: isotropic GGX, or Charlie's for sheen.
+[[nodiscard]] float round_lobe(const Lobe& lobe, const BrdfAngles& angles);
 
 /// Returns D * V of the GGX lobe, without Fresnel, in 1 / sr.
 [[nodiscard]] float ggx_lobe(float roughness, const BrdfAngles& angles);
 
-/// Returns the fraction of a constant environment that the lobe reflects: its integral times the
-/// cosine over all directions (lobe_norms). For a mirror, of roughness 0, that is Schlick's Fresnel
-/// term.
-[[nodiscard]] glm::vec3 environment_specular(glm::vec3 f0, float roughness, float n_dot_v,
-                                             glm::vec3 f90 = glm::vec3(1.0f));
+/// Returns the integrals of a GGX lobe over all directions, times the cosine.
+[[nodiscard]] LobeNorms lobe_norms(const Lobe& lobe, float n_dot_v);
+
+/// Returns the fraction of a constant environment that a GGX lobe reflects (lobe_norms), at most 1.
+/// For a mirror, of roughness 0, that is Schlick's Fresnel term.
+[[nodiscard]] glm::vec3 environment_specular(const Lobe& lobe, float n_dot_v);
 
 }  // namespace asos

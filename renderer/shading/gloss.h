@@ -1,6 +1,5 @@
 #pragma once
 
-#include "renderer/geometry/largest.h"
 #include "renderer/scene/scene.h"
 #include "renderer/shading/brdf.h"
 
@@ -11,26 +10,21 @@
 
 namespace asos {
 
-/// A highlight's strength and width.
-struct Gloss {
-  float f0 = 0.04f;  ///< largest colour component
-  float roughness = 1.0f;
-  LobeStretch stretch = {};
-};
-
 /// The lobes of a surface that may have highlights: its own, and its coat's.
 class GlossyLobes {
  public:
-  GlossyLobes(const Gloss& base, float coat_factor, float coat_roughness)
-      : all_{base, {coat_f0 * coat_factor, coat_roughness}}, count_(coat_factor > 0.0f ? 2 : 1) {}
+  GlossyLobes(const Lobe& base, float coat_factor, float coat_roughness)
+      : all_{base, {glm::vec3(coat_f0 * coat_factor), glm::vec3(1.0f), coat_roughness}},
+        count_(coat_factor > 0.0f ? 2 : 1) {}
   explicit GlossyLobes(const SurfaceMaterial& m)
-      : GlossyLobes({largest(m.f0), m.roughness, m.stretch}, m.coat.factor, m.coat.roughness) {}
+      : GlossyLobes({m.f0, glm::vec3(1.0f), m.roughness, m.stretch}, m.coat.factor,
+                    m.coat.roughness) {}
 
-  [[nodiscard]] const Gloss* begin() const { return all_.data(); }
-  [[nodiscard]] const Gloss* end() const { return all_.data() + count_; }
+  [[nodiscard]] const Lobe* begin() const { return all_.data(); }
+  [[nodiscard]] const Lobe* end() const { return all_.data() + count_; }
 
  private:
-  std::array<Gloss, 2> all_;
+  std::array<Lobe, 2> all_;
   std::size_t count_;
 };
 

@@ -1,11 +1,10 @@
 #include "renderer/shading/highlight_unevenness.h"
 
 #include "renderer/geometry/largest.h"
-#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/ggx.h"
-#include "renderer/shading/lobe.h"
 #include "renderer/shading/patch_curvature.h"
+#include "renderer/shading/patch_lobe.h"
 #include "renderer/shading/viewed_point.h"
 
 #include <algorithm>
@@ -54,10 +53,11 @@ bool turns(const GlossyPatch& glossy) {
 
 float reflectance_error(const GlossyPatch& glossy) {
   if (!turns(glossy)) return 0.0f;
+  const Lobe& lobe = glossy.lobe;
   const auto reflectance = [&](glm::vec3 offset, glm::vec3 turn) {
     const glm::vec3 normal = glm::normalize(glossy.point.shading_normal + turn);
     const float n_dot_v = std::max(grazing_cosine, glm::dot(normal, viewer_from(glossy, offset)));
-    return environment_specular(glm::vec3(glossy.lobe.f0), glossy.lobe.roughness, n_dot_v).x;
+    return largest(environment_specular(lobe, n_dot_v));
   };
   const float middle = reflectance(glm::vec3(0.0f), glm::vec3(0.0f));
   const auto bend = [&](glm::vec3 edge, glm::vec3 turn) {
@@ -79,8 +79,7 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
   if (!(length > 0.0f)) return {};
   // Bound the highlight by the lobe at the place of the patch that is nearest to the light.
   const glm::vec3 half = sum / length;
-  const float rough = std::max(glossy.lobe.roughness, roughness_floor);
-  const float alpha = rough * rough;
+  const float alpha = glossy.lobe.alpha();
   const LobeGeometry sight{glossy.to_viewer, glossy.viewer_distance, nearest.direction,
                            light_distance(light, glossy.point.position)};
   const NormalSpread spread = spread_about_half(glossy.turn, glossy.patch, sight);
@@ -90,11 +89,11 @@ HighlightError highlight_error(const PreparedLight& light, const GlossyPatch& gl
     const float along = glm::dot(half, glm::normalize(glossy.lobe.stretch.along));
     spread2 += along * along * glm::dot(glossy.stretch_turn, glossy.stretch_turn);
   }
-  const float away = away_from_peak(n, half, glossy.lobe.stretch, glossy.lobe.roughness);
+  const float away = glossy.lobe.away_from_peak(n, half);
   const float least_away = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
   const float width2 = alpha * alpha + least_away * least_away;
   const float fresnel =
-      schlick(glossy.lobe.f0, 1.0f, schlick_weight(glm::dot(half, glossy.to_viewer)));
+      schlick(largest(glossy.lobe.f0), 1.0f, schlick_weight(glm::dot(half, glossy.to_viewer)));
   // A segment's power is in candela per metre: the segment looks as bright as a strip as wide as
   // the lobe.
   const float brightest =

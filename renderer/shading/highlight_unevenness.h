@@ -17,7 +17,7 @@ struct GlossyPatch {
   Patch patch;
   glm::vec3 to_viewer;    ///< unit
   float viewer_distance;  ///< infinite for parallel rays
-  Gloss lobe = {};
+  Lobe lobe = {};
   glm::vec2 stretch_turn{0.0f};  ///< tangent_turn of the patch
   float white = 1.0f;            ///< radiance of the patch at which the pixel is white and clamped
 };

@@ -1,5 +1,6 @@
 #include "renderer/shading/light_quadrature.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/ggx.h"
 #include "renderer/shading/sheen.h"
@@ -19,8 +20,8 @@ struct Widest {
   float share_of_way;
   float share_of_lobe;
 };
-constexpr Widest widest_of(Reflectance reflectance) {
-  return reflectance == Reflectance::high ? Widest{0.3f, 0.4f, 1.4f} : Widest{1.0f, 0.7f, 2.0f};
+Widest widest_of(const Lobe& lobe) {
+  return largest(lobe.f0) <= 0.1f ? Widest{1.0f, 0.7f, 2.0f} : Widest{0.3f, 0.4f, 1.4f};
 }
 // The integrand has a kink at the horizon.
 constexpr float share_across_horizon = 0.4f;
@@ -31,25 +32,23 @@ constexpr int most_cells = 2048;
 
 }  // namespace
 
-LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
-                                 double sheen, glm::vec3 stretch, Reflectance reflectance)
+LightQuadrature::LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, const Lobe& lobe)
     : receiver_(receiver),
       normal_(receiver.normal),
       geometric_(receiver.geometric),
       to_viewer_(to_viewer),
       mirrored_(glm::reflect(-to_viewer, receiver.normal)),
       n_dot_v_(std::max(glm::dot(normal_, to_viewer_), grazing_cosine)),
-      stretched_({}, static_cast<float>(roughness), glm::vec3(receiver.normal), stretch) {
-  const auto rough = std::clamp(static_cast<float>(roughness), roughness_floor, 1.0f);
-  alpha2_ = rough * rough * rough * rough;
+      alpha2_(lobe.alpha() * lobe.alpha()),
+      sheen_(lobe.sheen),
+      stretched_({}, lobe, glm::vec3(receiver.normal)) {
   viewer_root_ = smith_root(n_dot_v_, alpha2_);
   // At grazing angles the lobe is narrower across the plane of view.
-  const Widest widest = widest_of(reflectance);
+  const Widest widest = widest_of(lobe);
   widest_ = widest.cell;
   share_of_way_ = widest.share_of_way;
-  narrowest_ = widest.share_of_lobe * rough * rough * std::clamp(n_dot_v_, 0.1f, 1.0f);
-  sheen_ = static_cast<float>(sheen);
-  if (stretched_.wider()) across_ridge_ = glm::normalize(glm::cross(normal_, stretch));
+  narrowest_ = widest.share_of_lobe * lobe.alpha() * std::clamp(n_dot_v_, 0.1f, 1.0f);
+  if (stretched_.wider()) across_ridge_ = glm::normalize(glm::cross(normal_, lobe.stretch.along));
 }
 
 float LightQuadrature::way_to_peak(glm::vec3 direction) const {

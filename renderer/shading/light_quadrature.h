@@ -3,7 +3,7 @@
 #include "renderer/lights/light_patches.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/lights/receiver.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_lobe.h"
 
 #include <glm/glm.hpp>
 
@@ -21,13 +21,6 @@ struct ReflectedIntegral {
   double scattered = 0.0;  ///< the irradiance times Schlick's (1 - v.h)^5
 };
 
-/// The reflectance of a surface's lobe at normal incidence, which determines the accuracy.
-enum class Reflectance {
-  high,  ///< of metals
-  /// Of dielectrics, at most a tenth: the error of the lobe's integral may be ten times as large.
-  low,
-};
-
 /// Integrates the BRDF over lights with an extent, by the physical rule, above both horizons of a
 /// receiver (geometric and shading). A light is divided until its parts are small compared with
 /// their angle to the mirrored view, or with the lobe there. Each part is integrated at
@@ -36,11 +29,9 @@ enum class Reflectance {
 /// which are bent and cut by the horizon.
 class LightQuadrature {
  public:
-  /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine. `sheen` is that
-  /// of ViewedMaterial, and `stretch` is `along` of its LobeStretch.
-  LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, double roughness,
-                  double sheen = 0.0, glm::vec3 stretch = glm::vec3(0.0f),
-                  Reflectance reflectance = Reflectance::high);
+  /// `to_viewer` is unit; at or below the horizon it counts as at grazing_cosine. Where a lobe's
+  /// largest f0 is at most 0.1, as of dielectrics, its integral may have ten times the error.
+  LightQuadrature(const Receiver& receiver, glm::dvec3 to_viewer, const Lobe& lobe);
 
   /// Returns 0 for a light without an extent.
   [[nodiscard]] ReflectedIntegral operator()(const PreparedLight& light);

@@ -121,9 +121,9 @@ struct Reflection {
   bool shows_lights = true;   ///< lights that emit evenly are visible, too
   /// Ratio of the indices before and behind a refracting surface; 0: reflection.
   float ratio = 0.0f;
-  VolumePath passage = {};               ///< of the ray that leaves
-  const ViewedMaterial* lobe = nullptr;  ///< lobe that blurs the reflection; null: the square does
-  glm::vec3 share{1.0f};                 ///< weight of the lobe's radiance in that of the ray
+  VolumePath passage = {};     ///< of the ray that leaves
+  const Lobe* lobe = nullptr;  ///< lobe that blurs the reflection; null: the square does
+  glm::vec3 share{1.0f};       ///< weight of the lobe's radiance in that of the ray
 
   /// Returns ViewedRay::throughput of the reflected ray.
   [[nodiscard]] float throughput() const {

@@ -1,60 +1,59 @@
 #pragma once
 
-#include "renderer/shading/brdf.h"
-#include "renderer/shading/footprint.h"
-#include "renderer/shading/normal_spread.h"
-
 #include <glm/glm.hpp>
+
+#include <algorithm>
 
 namespace asos {
 
-/// Unit directions from a point to its viewer and to the light, with distances. A distance is
-/// infinite where the direction is the same all over a patch.
-struct LobeGeometry {
-  glm::vec3 to_viewer;
-  float viewer_distance;
-  glm::vec3 to_light;
-  float light_distance;
+/// Smallest roughness of highlights. Below it, the highlight of a punctual light is a few pixels
+/// wide and hundreds of times brighter than white. Point samples would hit or miss it by chance,
+/// and no method could antialias it. A perfect mirror is shown with this roughness instead.
+inline constexpr float roughness_floor = 0.1f;
+/// Smallest roughness of broad highlights. They are some 40 degrees wide and vary little more than
+/// diffuse reflection, so one sample per pixel is enough.
+inline constexpr float least_broad_roughness = 0.6f;
+
+/// Returns the alpha of highlights, the squared roughness.
+[[nodiscard]] inline float alpha_of(float roughness) {
+  const float floored = std::clamp(roughness, roughness_floor, 1.0f);
+  return floored * floored;
+}
+
+/// The anisotropy of a GGX lobe, which is rougher along one direction of the tangent plane than
+/// across it.
+struct LobeStretch {
+  /// The direction of greater roughness. Its length is sqrt(at^2 - ab^2), with the alpha `at` along
+  /// it and `ab` across. 0: the lobe is isotropic.
+  glm::vec3 along{0.0f};
+  /// Squared cosine, 0 to 1, between this direction and the viewer in the tangent plane.
+  float seen_along2 = 0.0f;
+
+  [[nodiscard]] bool none() const { return along == glm::vec3(0.0f); }
 };
 
-/// Returns the spread of a patch's normals about the half vector. The half vector turns across the
-/// patch, too, where viewer or light are near, even on a flat patch.
-[[nodiscard]] NormalSpread spread_about_half(const NormalSpread& normals, const Patch& patch,
-                                             const LobeGeometry& sight);
+/// A lobe of a surface's reflection for one viewer, with Schlick's Fresnel term: GGX (glTF 2.0,
+/// appendix B; KHR_materials_anisotropy), or Charlie's for sheen (sheen.h).
+struct Lobe {
+  glm::vec3 f0{0.0f};      ///< reflectance at normal incidence
+  glm::vec3 f90{1.0f};     ///< reflectance at grazing incidence
+  float roughness = 0.0f;  ///< across the stretch; sheen has 1, as it is as broad as diffuse light
+  LobeStretch stretch = {};
+  float sheen = 0.0f;  ///< roughness of Charlie's lobe; 0: the lobe is GGX
 
-/// The GGX lobe of a patch with varying normals: the mean of a highlight smaller than the patch
-/// ("geometric specular antialiasing", Kaplanyan et al. 2016). The lobe's squared slopes, a 2x2
-/// matrix in the tangent plane, grow by those of the normals. They become anisotropic where normals
-/// turn in one direction (Tokuyoshi and Kaplanyan 2021). A normal that turns by d along an edge
-/// adds its variance over the patch, d d^T / 12. Wider lobes were measured worse for every method:
-/// d d^T / pi keeps the peak of a box of normals, but the long tails of a GGX lobe put light where
-/// there is no highlight.
-class PatchLobe {
- public:
-  /// Largest alpha^2 that a patch adds, summed over both directions. Beyond it, the derivatives of
-  /// one triangle's normals do not represent the patch.
-  static constexpr float most_added = 0.18f;
-
-  /// `stretch`: LobeStretch::along, for an anisotropic lobe.
-  PatchLobe(const NormalSpread& spread, float roughness, glm::vec3 normal,
-            glm::vec3 stretch = glm::vec3(0.0f));
-
-  /// Returns false where the lobe is isotropic and the patch's normals vary too little to matter;
-  /// then ggx_lobe is the lobe.
-  [[nodiscard]] bool wider() const { return wider_; }
-
-  /// Returns the roughness of the isotropic lobe with the same peak. Only for a wider one.
+  [[nodiscard]] bool is_sheen() const { return sheen > 0.0f; }
+  [[nodiscard]] bool is_broad() const { return roughness >= least_broad_roughness; }
+  /// Returns the alpha across the stretch, and along it.
+  [[nodiscard]] float alpha() const { return alpha_of(roughness); }
+  [[nodiscard]] float alpha_along() const;
+  /// Returns the roughness in the rougher direction, which decides whether a surface reflects
+  /// sharply.
+  [[nodiscard]] float widest_roughness() const;
+  /// Returns the roughness of the isotropic lobe with the same peak, which determines the blur.
   [[nodiscard]] float round_roughness() const;
-
-  /// D * V in 1 / sr, as ggx_lobe; all directions unit.
-  [[nodiscard]] float value(glm::vec3 half, glm::vec3 to_light, glm::vec3 to_viewer,
-                            const BrdfAngles& angles) const;
-
- private:
-  bool wider_ = false;
-  glm::vec3 tangent_{0.0f};
-  glm::vec3 bitangent_{0.0f};
-  float xx_ = 0.0f, xy_ = 0.0f, yy_ = 0.0f;  // alpha^2 by direction, as GgxSlopes
+  /// Returns the distance of a half vector from the normal. The part along the stretch is scaled by
+  /// the ratio of the lobe's widths across and along it. Both vectors are unit.
+  [[nodiscard]] float away_from_peak(glm::vec3 normal, glm::vec3 half) const;
 };
 
 }  // namespace asos

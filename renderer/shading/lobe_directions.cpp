@@ -30,17 +30,16 @@ glm::vec3 visible_normal(glm::vec3 v, glm::vec2 alpha, glm::vec2 place) {
   return glm::normalize(glm::vec3(x, y, z));
 }
 
-LobeDirections::LobeDirections(const ViewedMaterial& material, float spread, glm::vec3 normal,
+LobeDirections::LobeDirections(const Lobe& lobe, float spread, glm::vec3 normal,
                                glm::vec3 to_viewer)
-    : f0_(material.f0), f90_(material.f90) {
-  const Tangents tangents(normal, material.stretch);
+    : f0_(lobe.f0), f90_(lobe.f90) {
+  const Tangents tangents(normal, lobe.stretch);
   right_ = tangents.right;
   up_ = tangents.up;
   normal_ = tangents.normal;
   viewer_ = viewer_above(tangents.local(to_viewer));
-  const float across = material.roughness * material.roughness;
-  const glm::vec2 alpha(
-      material.stretch.none() ? across : alpha_along(material.stretch, material.roughness), across);
+  const float across = lobe.roughness * lobe.roughness;
+  const glm::vec2 alpha(lobe.stretch.none() ? across : lobe.alpha_along(), across);
   alpha_ = glm::max(glm::sqrt(alpha * alpha + spread), least_alpha);
 }
 

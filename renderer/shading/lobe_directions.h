@@ -18,8 +18,7 @@ class LobeDirections {
 
   /// `spread` is added to the lobe's alpha^2, for bumps smaller than a sample. All directions are
   /// unit.
-  LobeDirections(const ViewedMaterial& material, float spread, glm::vec3 normal,
-                 glm::vec3 to_viewer);
+  LobeDirections(const Lobe& lobe, float spread, glm::vec3 normal, glm::vec3 to_viewer);
 
   struct Direction {
     glm::vec3 unit{0.0f};

@@ -35,7 +35,7 @@ float transmitted_share(const SurfaceMaterial& material, float n_dot_v) {
     if (layer == MaterialLayer::behind) continue;
     const ViewedMaterial seen = viewed(material, layer, n_dot_v);
     left *= layer == MaterialLayer::base ? seen.below * (1.0f - material.metallic)
-                                         : passed_below(layer, seen.f0, seen.ambient);
+                                         : passed_below(layer, seen.lobe.f0, seen.ambient);
   }
   return left * material.transmission;
 }

@@ -1,7 +1,7 @@
 #include "renderer/shading/patch_curvature.h"
 
 #include "renderer/shading/anisotropy.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_lobe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@ PatchCurvature PatchCurvature::at(const World& world, const Hit& hit, const View
                                   const ViewedMaterial& material, float negligible) {
   const glm::vec3 normal = view.point.shading_normal;
   PatchCurvature bend{normal_turn(world, hit, view.patch, normal)};
-  if (!material.stretch.none()) bend.stretch_turn = tangent_turn(world, hit, view.patch, normal);
+  if (!material.lobe.stretch.none())
+    bend.stretch_turn = tangent_turn(world, hit, view.patch, normal);
   bend.rounded = world.is_face(hit.triangle);
   bend.negligible = negligible;
   return bend;
@@ -31,8 +32,7 @@ std::optional<PatchCurvature::Parts> PatchCurvature::parts_for(const NormalSprea
   return Parts{std::max(1, static_cast<int>(right)), std::max(1, static_cast<int>(down))};
 }
 
-PatchCurvature::CentreEstimate PatchCurvature::of_middle(const ViewedPoint& view,
-                                                         const ViewedMaterial& material,
+PatchCurvature::CentreEstimate PatchCurvature::of_middle(const ViewedPoint& view, const Lobe& lobe,
                                                          const PreparedLight& light,
                                                          const Highlight& highlight) const {
   const bool distant = light.traits().infinite;
@@ -42,8 +42,7 @@ PatchCurvature::CentreEstimate PatchCurvature::of_middle(const ViewedPoint& view
   const NormalSpread spread = spread_about_half(
       turn, view.patch, {view.to_viewer, view.distance, highlight.direction, distance});
   const float spread2 = glm::dot(spread.right, spread.right) + glm::dot(spread.down, spread.down);
-  const float rough = std::max(material.roughness, roughness_floor);
-  const float alpha = rough * rough;
+  const float alpha = lobe.alpha();
   const bool line = light.traits().line;
   const float shown = alpha + (line ? 0.0f : 0.5f * highlight.half_angle_tangent);
   // The horizon adds a kink if the highlight rises or sets within the patch.
@@ -51,7 +50,7 @@ PatchCurvature::CentreEstimate PatchCurvature::of_middle(const ViewedPoint& view
   const float height = glm::dot(view.point.shading_normal, highlight.direction);
   const bool sets = height < std::sqrt(turn2);
   const glm::vec3 half = glm::normalize(highlight.direction + view.to_viewer);
-  const float away = away_from_peak(view.point.shading_normal, half, material.stretch, rough);
+  const float away = lobe.away_from_peak(view.point.shading_normal, half);
   const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(spread2));
   // In a lobe's tails, the length scale is the distance from its peak.
   CentreEstimate of{1.0f, parts_for(spread, std::hypot(shown, nearest))};
@@ -96,9 +95,9 @@ PatchCurvature::Point PatchCurvature::point(const ViewedPoint& view, const Viewe
   }
   if (std::isfinite(view.distance))
     point.to_viewer = glm::normalize(view.to_viewer - from_middle.place / view.distance);
-  if (!material.stretch.none()) {
+  if (!material.lobe.stretch.none()) {
     const float angle = glm::dot(uv, stretch_turn);
-    glm::vec3& along = point.material.stretch.along;
+    glm::vec3& along = point.material.lobe.stretch.along;
     along = std::cos(angle) * along + std::sin(angle) * glm::cross(surface.shading_normal, along);
   }
   return point;

@@ -46,7 +46,7 @@ struct PatchCurvature {
     float error = 0.0f;
     std::optional<Parts> parts;  ///< none: the patch is too wide for most_parts
   };
-  [[nodiscard]] CentreEstimate of_middle(const ViewedPoint& view, const ViewedMaterial& material,
+  [[nodiscard]] CentreEstimate of_middle(const ViewedPoint& view, const Lobe& lobe,
                                          const PreparedLight& light,
                                          const Highlight& highlight) const;
 

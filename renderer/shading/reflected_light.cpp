@@ -1,7 +1,7 @@
 #include "renderer/shading/reflected_light.h"
 
 #include "renderer/geometry/largest.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_lobe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,50 +20,46 @@ float distance_of(const PreparedLight& light, glm::vec3 position) {
   return static_cast<float>(glm::distance(light.position, glm::dvec3(position)));
 }
 
-PatchLobe patch_lobe(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 to_light,
+PatchLobe patch_lobe(const Lobe& lobe, const ViewedPoint& view, glm::vec3 to_light,
                      float light_distance) {
   const LobeGeometry sight{view.to_viewer, view.distance, to_light, light_distance};
-  return {spread_about_half(view.point.spread, view.patch, sight), seen.roughness,
-          view.point.shading_normal, seen.stretch.along};
+  return {spread_about_half(view.point.spread, view.patch, sight), lobe, view.point.shading_normal};
 }
 
 /// Returns the lobe of a patch for a light with an extent, as an isotropic one. For a highlight
 /// wider than the patch the lobe is not widened, since the patch is divided where needed, and
 /// widening would add tails that the highlight does not have.
-PatchLobe lobe_of_extended(const ViewedMaterial& seen, const ViewedPoint& view,
-                           const Highlight& highlight, const PreparedLight& light,
-                           Widening widening) {
+PatchLobe lobe_of_extended(Lobe lobe, const ViewedPoint& view, const Highlight& highlight,
+                           const PreparedLight& light, Widening widening) {
   constexpr float widest = 0.5f;  // patch width over highlight width that needs no widening
   const bool line = light.traits().line;
   const float light_distance = distance_of(light, view.point.position);
   const LobeGeometry sight{view.to_viewer, view.distance, highlight.direction, light_distance};
   NormalSpread spread = spread_about_half(view.point.spread, view.patch, sight);
-  const float alpha =
-      std::max(seen.roughness, roughness_floor) * std::max(seen.roughness, roughness_floor);
   // Across a line, the highlight is only as wide as the lobe.
   const float light_width = line ? 0.0f : 0.5f * highlight.half_angle_tangent;
-  const float shown = widest * (alpha + light_width);
+  const float shown = widest * (lobe.alpha() + light_width);
   if (widening == Widening::by_bumps ||
       std::max(glm::dot(spread.right, spread.right), glm::dot(spread.down, spread.down)) <
           shown * shown)
     spread.right = spread.down = glm::vec3(0.0f);
-  return {spread, seen.roughness, view.point.shading_normal};
+  lobe.stretch = {};
+  return {spread, lobe, view.point.shading_normal};
 }
 
 /// Returns the specular part; 0 below the horizon.
-glm::vec3 shine_of(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 l,
-                   float light_distance) {
+glm::vec3 shine_of(const Lobe& lobe, const ViewedPoint& view, glm::vec3 l, float light_distance) {
   const glm::vec3 n = view.point.shading_normal;
   if (!(glm::dot(n, l) > 0.0f)) return glm::vec3(0.0f);
   const glm::vec3 half = glm::normalize(l + view.to_viewer);
   const BrdfAngles angles{std::max(glm::dot(n, l), grazing_cosine), view.n_dot_v,
                           std::max(0.0f, glm::dot(n, half)),
                           std::max(0.0f, glm::dot(view.to_viewer, half))};
-  if (seen.sheen > 0.0f) return specular_brdf(seen, angles, lobe_of(seen, angles));
-  const PatchLobe lobe = patch_lobe(seen, view, l, light_distance);
+  if (lobe.is_sheen()) return specular_brdf(lobe, angles, round_lobe(lobe, angles));
+  const PatchLobe wide = patch_lobe(lobe, view, l, light_distance);
   const float value =
-      lobe.wider() ? lobe.value(half, l, view.to_viewer, angles) : lobe_of(seen, angles);
-  return specular_brdf(seen, angles, value);
+      wide.wider() ? wide.value(half, l, view.to_viewer, angles) : round_lobe(lobe, angles);
+  return specular_brdf(lobe, angles, value);
 }
 
 glm::vec3 diffuse_towards(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 l) {
@@ -74,16 +70,16 @@ glm::vec3 diffuse_towards(const ViewedMaterial& seen, const ViewedPoint& view, g
 
 glm::vec3 reflected_towards(const ViewedMaterial& seen, const ViewedPoint& view, glm::vec3 to_light,
                             float light_distance) {
-  return diffuse_towards(seen, view, to_light) + shine_of(seen, view, to_light, light_distance);
+  return diffuse_towards(seen, view, to_light) +
+         shine_of(seen.lobe, view, to_light, light_distance);
 }
 
 glm::vec3 reflected_share(const PreparedLight& light, const ViewedMaterial& seen,
                           const ViewedPoint& view, const Highlight& highlight) {
   const glm::vec3 l = highlight.direction;
-  glm::vec3 shine = shine_of(seen, view, l, distance_of(light, view.point.position));
+  glm::vec3 shine = shine_of(seen.lobe, view, l, distance_of(light, view.point.position));
   if (highlight.half_angle_tangent > 0.0f) {
-    const float roughness = std::max(seen.roughness, roughness_floor);
-    const float width = roughness * roughness;
+    const float width = seen.lobe.alpha();
     const float ratio = width / (width + 0.5f * highlight.half_angle_tangent);
     shine *= light.traits().line ? ratio : ratio * ratio;
   }
@@ -101,7 +97,7 @@ glm::vec3 reflected_from(const Illumination& lit, const LightSample& sample) {
 }
 
 bool is_broad(const Illumination& lit) {
-  return lit.lit && lit.lit->material.roughness >= least_broad_roughness;
+  return lit.lit && lit.lit->material.lobe.is_broad();
 }
 
 float spread_over(const Illumination& lit) {
@@ -131,17 +127,12 @@ ReflectedLights::ReflectedLights(const LightingQuery& point, std::optional<Patch
       mirrored_(glm::reflect(glm::dvec3(-point.view.to_viewer), receiver_.normal)) {}
 
 LightQuadrature& ReflectedLights::quadrature(float roughness) {
-  constexpr float low = 0.1f;
-  const auto made = [&] {
-    const ViewedMaterial& seen = point_.material;
-    return LightQuadrature(receiver_, glm::dvec3(point_.view.to_viewer),
-                           static_cast<double>(roughness), static_cast<double>(seen.sheen),
-                           seen.stretch.along,
-                           largest(seen.f0) <= low ? Reflectance::low : Reflectance::high);
-  };
-  if (roughness != point_.material.roughness) return wider_.emplace(made());
-  if (!own_) own_.emplace(made());
-  return *own_;
+  Lobe lobe = point_.material.lobe;
+  const bool wider = roughness != lobe.roughness;
+  lobe.roughness = roughness;
+  std::optional<LightQuadrature>& kept = wider ? wider_ : own_;
+  if (wider || !kept) kept.emplace(receiver_, glm::dvec3(point_.view.to_viewer), lobe);
+  return *kept;
 }
 
 ReflectedLights::LightReflection ReflectedLights::of(const PreparedLight& light,
@@ -158,11 +149,10 @@ ReflectedLights::LightReflection ReflectedLights::of(const PreparedLight& light,
   }
   share.reflected *= point_.share;
   if (!bend_ || !light.extended() || light.rule != LightRule::physical) return share;
-  const auto [error, parts] = bend_->of_middle(point_.view, point_.material, light, highlight);
+  const auto [error, parts] = bend_->of_middle(point_.view, point_.material.lobe, light, highlight);
   if (!parts) return share;
   // Broad lobes never split a leaf, so only the mean over the patch improves them.
-  const bool broad = point_.material.roughness >= least_broad_roughness;
-  const float negligible = (broad ? 0.1f : 1.0f) * bend_->negligible;
+  const float negligible = (point_.material.lobe.is_broad() ? 0.1f : 1.0f) * bend_->negligible;
   const float radiance = largest(share.reflected * irradiance);
   if (error * radiance > std::min(negligible, negligible_share * radiance)) {
     const glm::vec3 found = mean(light, *parts);
@@ -209,14 +199,15 @@ ReflectedLights::LightReflection ReflectedLights::of_extended(const PreparedLigh
   const double per_irradiance =
       static_cast<double>(light.power[strongest]) / static_cast<double>(irradiance[strongest]);
   if (!(per_irradiance > 0.0)) return {};
-  const PatchLobe lobe = lobe_of_extended(seen, point_.view, highlight, light, widening);
-  const bool wider = lobe.wider() && !(seen.sheen > 0.0f);
-  const ReflectedIntegral all = quadrature(wider ? lobe.round_roughness() : seen.roughness)(light);
+  const Lobe& own = seen.lobe;
+  const PatchLobe lobe = lobe_of_extended(own, point_.view, highlight, light, widening);
+  const bool wider = lobe.wider() && !own.is_sheen();
+  const ReflectedIntegral all = quadrature(wider ? lobe.round_roughness() : own.roughness)(light);
   const double schlick = std::clamp(all.scattered * per_irradiance, 0.0, 1.0);
   LightReflection share{diffuse_brdf(seen, static_cast<float>(schlick))};
   if (mirrored) return share;
   const glm::dvec3 specular =
-      glm::dvec3(seen.f0) * all.lobe + (glm::dvec3(seen.f90) - glm::dvec3(seen.f0)) * all.fresnel;
+      glm::dvec3(own.f0) * all.lobe + (glm::dvec3(own.f90) - glm::dvec3(own.f0)) * all.fresnel;
   constexpr double most = std::numeric_limits<float>::max();
   const glm::vec3 shine(glm::clamp(specular * per_irradiance, 0.0, most));
   share.reflected += shine;

@@ -116,7 +116,7 @@ float Shader::add_material(const ViewedRay& seen, const SurfacePoint& point,
     if (!seen.diffuse || part != MaterialLayer::coat)
       add_lit(seen, view, seen.diffuse && is_base ? diffuse_part(lobes) : lobes, below, transport,
               radiance, counts);
-    const float passed = passed_below(part, lobes.f0, lobes.ambient);
+    const float passed = passed_below(part, lobes.lobe.f0, lobes.ambient);
     below.share *= passed;
     left *= is_base ? lobes.below : passed;
   }
@@ -138,7 +138,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
   }
 
   const PixelSpacing& spacing = viewed_ray.spacing ? *viewed_ray.spacing : settings_.spacing;
-  const bool narrow = settings_.mips && seen.roughness < least_broad_roughness;
+  const bool narrow = settings_.mips && !seen.lobe.is_broad();
   if (viewed_ray.side > 0.0f && (narrow || sums_patches_)) {
     view.patch = shaped(patch_on_plane(spacing, viewed_ray.ray.direction, layer.hit.t,
                                        point.geometric_normal, viewed_ray.side),
@@ -146,7 +146,7 @@ void Shader::add_lit(const ViewedRay& viewed_ray, const ViewedPoint& viewed_poin
     view.distance = spacing.distance(layer.hit.t);
   }
   const MirroredLights mirrored =
-      mirrors ? mirrored_lights(point.triangle, round_roughness(seen)) : MirroredLights::none;
+      mirrors ? mirrored_lights(point.triangle, seen.lobe.round_roughness()) : MirroredLights::none;
   const LightingQuery lit_point{lights_, view, seen, mirrored, layer.share, settings_.shadows};
   const HandledLights gathered = transport.gather(lit_point);
   if (gathered.all) return;

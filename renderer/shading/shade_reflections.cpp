@@ -1,4 +1,3 @@
-#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/dfr.h"
 #include "renderer/shading/gloss.h"
 #include "renderer/shading/shade.h"
@@ -59,10 +58,11 @@ bool Shader::reflect(const ViewedRay& seen, const SurfacePoint& point,
                      const ViewedMaterial& material, const Layer& layer, LightTransport& transport,
                      glm::vec3& radiance, RenderStatistics& counts) const {
   if (settings_.reflections == 0) return false;
-  if (!material.stretch.none() && !own_dfr(point.triangle) &&
-      widest_roughness(material) > settings_.roughest_mirror)
+  const Lobe& lobe = material.lobe;
+  if (!lobe.stretch.none() && !own_dfr(point.triangle) &&
+      lobe.widest_roughness() > settings_.roughest_mirror)
     return false;
-  const float roughness = round_roughness(material);
+  const float roughness = lobe.round_roughness();
   const glm::vec3 reflected = layer.share * material.specular;
   const auto width = mirror_width(seen, point, roughness, reflected);
   if (!width) return false;
@@ -70,7 +70,7 @@ bool Shader::reflect(const ViewedRay& seen, const SurfacePoint& point,
   Reflection reflection{seen, point, layer.hit, *width, reflected, layer.number, shows_lights};
   reflection.passage = layer.passage;
   if (mirrors_by_lobe(point.triangle, roughness)) {
-    reflection.lobe = &material;
+    reflection.lobe = &lobe;
     reflection.share = layer.share;
   }
   return transport.reflect(reflection, radiance, counts);
@@ -82,7 +82,7 @@ glm::vec3 Shader::add_refracted(const ViewedRay& seen, const SurfacePoint& point
   const double alpha = static_cast<double>(roughness * roughness);
   const double bumps = static_cast<double>(point.spread.variance);
   const auto mirrored = static_cast<float>(lobe_width(std::sqrt(std::sqrt(alpha * alpha + bumps))));
-  ViewedMaterial facets{};
+  Lobe facets;
   facets.roughness = roughness;
   const auto follow = [&](float ratio, float width, const VolumePath& passage, int colour,
                           glm::vec3 share) {

@@ -2,7 +2,6 @@
 
 #include "renderer/lights/light_math.h"
 #include "renderer/settings/value_text.h"
-#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/dfr.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/environment_picture.h"
@@ -59,11 +58,10 @@ Parts parts_of(double right, double down) {
 /// part is as wide as the lobe is across. Their slopes along the stretch divide the lobe's facets
 /// into equal fractions (a GGX lobe's slopes along one coordinate have the density a^2 / (2 (a^2 +
 /// x^2)^(3/2))).
-glm::vec3 around_ridge(const Sky& sky, const ViewedMaterial& seen, glm::vec3 normal,
-                       glm::vec3 to_viewer) {
+glm::vec3 around_ridge(const Sky& sky, const Lobe& lobe, glm::vec3 normal, glm::vec3 to_viewer) {
   constexpr int facets = 9;
-  const float alpha = alpha_along(seen.stretch, seen.roughness);
-  const glm::vec3 along = glm::normalize(seen.stretch.along);
+  const float alpha = lobe.alpha_along();
+  const glm::vec3 along = glm::normalize(lobe.stretch.along);
   glm::vec3 sum(0.0f);
   int met = 0;
   for (int k = 0; k < facets; ++k) {
@@ -71,10 +69,10 @@ glm::vec3 around_ridge(const Sky& sky, const ViewedMaterial& seen, glm::vec3 nor
     const glm::vec3 facet = glm::normalize(normal + (alpha * c / std::sqrt(1.0f - c * c)) * along);
     const glm::vec3 direction = glm::reflect(-to_viewer, facet);
     if (!(glm::dot(facet, to_viewer) > 0.0f) || !(glm::dot(direction, normal) > 0.0f)) continue;
-    sum += sky.around(direction, seen.roughness);
+    sum += sky.around(direction, lobe.roughness);
     ++met;
   }
-  return met > 0 ? sum / static_cast<float>(met) : sky.around(normal, seen.roughness);
+  return met > 0 ? sum / static_cast<float>(met) : sky.around(normal, lobe.roughness);
 }
 
 }  // namespace
@@ -269,14 +267,14 @@ glm::vec3 background(const Sky* sky, glm::vec3 direction, const PixelSpacing* sp
 
 glm::vec3 reflected_sky(const Sky* sky, const ViewedMaterial& seen, glm::vec3 normal,
                         glm::vec3 to_viewer) {
-  const float share = mirrored_visibility(seen.roughness);
+  const float share = mirrored_visibility(seen.lobe.roughness);
   if (!sky) return sky_radiance * (sky_visibility * seen.ambient + share * seen.specular);
   const glm::vec3 diffuse = sky->ambient(normal) * seen.ambient;
   if (seen.specular == glm::vec3(0.0f)) return diffuse;
   const glm::vec3 mirrored = glm::reflect(-to_viewer, normal);
-  if (!seen.stretch.none())
-    return diffuse + share * around_ridge(*sky, seen, normal, to_viewer) * seen.specular;
-  return diffuse + share * sky->around(mirrored, seen.roughness) * seen.specular;
+  if (!seen.lobe.stretch.none())
+    return diffuse + share * around_ridge(*sky, seen.lobe, normal, to_viewer) * seen.specular;
+  return diffuse + share * sky->around(mirrored, seen.lobe.roughness) * seen.specular;
 }
 
 }  // namespace asos

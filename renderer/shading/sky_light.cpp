@@ -2,12 +2,11 @@
 
 #include "renderer/geometry/direction.h"
 #include "renderer/geometry/largest.h"
-#include "renderer/shading/anisotropy.h"
 #include "renderer/shading/environment.h"
 #include "renderer/shading/ggx.h"
-#include "renderer/shading/lobe.h"
 #include "renderer/shading/lobe_directions.h"
 #include "renderer/shading/lobe_norms.h"
+#include "renderer/shading/patch_lobe.h"
 #include "renderer/shading/sky.h"
 
 #include <algorithm>
@@ -17,14 +16,6 @@
 
 namespace asos {
 namespace {
-
-/// Squared roughness along both tangents.
-glm::vec2 alpha_of(const ViewedMaterial& material) {
-  const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
-  const float across = roughness * roughness;
-  if (material.stretch.none()) return glm::vec2(across);
-  return {alpha_along(material.stretch, material.roughness), across};
-}
 
 glm::vec3 by_cosine(glm::vec2 place) {
   const float r = std::sqrt(place.x);
@@ -58,9 +49,11 @@ float mean_schlick(float n_dot_v) {
 
 /// Returns D * V of a stretched lobe, for directions in its own frame.
 float stretched_lobe(glm::vec2 alpha, glm::vec3 half, glm::vec3 to_light, glm::vec3 to_viewer) {
-  const PatchLobe lobe({}, std::sqrt(alpha.y), {0.0f, 0.0f, 1.0f},
-                       {std::sqrt(alpha.x * alpha.x - alpha.y * alpha.y), 0.0f, 0.0f});
-  return lobe.value(half, to_light, to_viewer, {to_light.z, to_viewer.z, half.z, 0.0f});
+  Lobe lobe;
+  lobe.roughness = std::sqrt(alpha.y);
+  lobe.stretch.along.x = std::sqrt(alpha.x * alpha.x - alpha.y * alpha.y);
+  return PatchLobe({}, lobe, {0.0f, 0.0f, 1.0f})
+      .value(half, to_light, to_viewer, {to_light.z, to_viewer.z, half.z, 0.0f});
 }
 
 /// Returns the density of reflections at visible normals (`visible_normal`), per steradian.
@@ -85,10 +78,10 @@ SkySampler::SkySampler(const SkyQuery& point)
     : sky_(point.sky),
       material_(point.material),
       factor_(point.share),
-      alpha_(alpha_of(point.material)),
+      alpha_(material_.lobe.alpha_along(), material_.lobe.alpha()),
       picture_(point.sky && point.sky->is_picture()),
-      sheen_(point.material.sheen > 0.0f) {
-  const Tangents tangents(point.view.point.shading_normal, material_.stretch);
+      sheen_(material_.lobe.is_sheen()) {
+  const Tangents tangents(point.view.point.shading_normal, material_.lobe.stretch);
   right_ = tangents.right;
   up_ = tangents.up;
   normal_ = tangents.normal;
@@ -136,9 +129,10 @@ SkySampler::Reflected SkySampler::reflected_from(glm::vec3 direction) const {
     const glm::vec3 half = glm::normalize(direction + viewer_);
     const BrdfAngles angles{direction.z, viewer_.z, half.z, glm::dot(viewer_, half)};
     if (!sheen_) found.density += share_[1] * lobe_density(viewer_, half, alpha_);
-    const float lobe = material_.stretch.none() ? lobe_of(material_, angles)
-                                                : stretched_lobe(alpha_, half, direction, viewer_);
-    found.brdf += specular_brdf(material_, angles, lobe);
+    const Lobe& lobe = material_.lobe;
+    const float value = lobe.stretch.none() ? round_lobe(lobe, angles)
+                                            : stretched_lobe(alpha_, half, direction, viewer_);
+    found.brdf += specular_brdf(lobe, angles, value);
   }
   return found;
 }
@@ -200,7 +194,7 @@ glm::vec3 open_sky_less(const SkyQuery& point, const std::optional<SkySample>& s
 std::optional<glm::vec3> unoccluded_sky(const SkyQuery& point) {
   const ViewedMaterial& material = point.material;
   const bool shiny = !point.mirrors && material.specular != glm::vec3(0.0f);
-  const bool sheen = material.sheen > 0.0f;
+  const bool sheen = material.lobe.is_sheen();
   const bool even = !shiny && !sheen && material.falloff == 0.0f;
   if (point.sky && (point.sky->is_picture() || !(even || point.sky->constant())))
     return std::nullopt;
@@ -208,11 +202,10 @@ std::optional<glm::vec3> unoccluded_sky(const SkyQuery& point) {
       material.diffuse * (1.0f - material.falloff * mean_schlick(point.view.n_dot_v));
   if (sheen) reflected = material.ambient;
   if (shiny) {
-    const float roughness = std::clamp(material.roughness, roughness_floor, 1.0f);
-    const LobeNorms norms = material.stretch.none()
-                                ? lobe_norms(point.view.n_dot_v, roughness)
-                                : stretched_norms(material.stretch, roughness, point.view.n_dot_v);
-    reflected += material.f0 * norms.lobe + (material.f90 - material.f0) * norms.fresnel;
+    Lobe lobe = material.lobe;
+    lobe.roughness = std::clamp(lobe.roughness, roughness_floor, 1.0f);
+    const LobeNorms norms = lobe_norms(lobe, point.view.n_dot_v);
+    reflected += lobe.f0 * norms.lobe + (lobe.f90 - lobe.f0) * norms.fresnel;
   }
   return point.share * open_radiance(point) * reflected;
 }

@@ -2,6 +2,7 @@
 
 #include "renderer/geometry/ray.h"
 #include "renderer/shading/footprint.h"
+#include "renderer/shading/lobe.h"
 #include "renderer/shading/mip_chain.h"
 #include "renderer/shading/normal_spread.h"
 #include "renderer/shading/texel_means.h"
@@ -66,17 +67,6 @@ struct SurfaceAnisotropy {
   float strength = 0.0f;  ///< 0: none
   /// Direction of greater roughness, unit, in tangent and bitangent.
   glm::vec2 direction{1.0f, 0.0f};
-};
-
-/// A GGX lobe that is rougher along one direction of the tangent plane than across it.
-struct LobeStretch {
-  /// The direction of greater roughness. Its length is sqrt(at^2 - ab^2), with the squared
-  /// roughness `at` along it and `ab`, the material's own, across. 0: the lobe is isotropic.
-  glm::vec3 along{0.0f};
-  /// Squared cosine, 0 to 1, between this direction and the viewer in the tangent plane.
-  float seen_along2 = 0.0f;
-
-  [[nodiscard]] bool none() const { return along == glm::vec3(0.0f); }
 };
 
 /// Sheen at a point.

@@ -16,7 +16,7 @@ namespace {
 
 /// The textures of a material at a point; `sample(use, kind)` looks up one.
 template <typename Sample>
-struct Texels {
+struct TextureValues {
   const RenderFeatures& render_features;
   const Sample& sample;
 
@@ -32,7 +32,7 @@ struct Texels {
 // The functions of the layers look up their textures in an order that every caller repeats.
 
 template <typename Sample>
-void set_cover(const Material& material, glm::vec4 base, const Texels<Sample>& texels,
+void set_cover(const Material& material, glm::vec4 base, const TextureValues<Sample>& texels,
                SurfaceMaterial& surface) {
   surface.base_color = glm::vec3(base);
   surface.transmission = std::clamp(material.transmission, 0.0f, 1.0f);
@@ -47,7 +47,8 @@ void set_cover(const Material& material, glm::vec4 base, const Texels<Sample>& t
 }
 
 template <typename Sample>
-void set_metal(const Material& material, const Texels<Sample>& texels, SurfaceMaterial& surface) {
+void set_metal(const Material& material, const TextureValues<Sample>& texels,
+               SurfaceMaterial& surface) {
   const glm::vec4 texel = texels.at(material.metallic_roughness_texture);
   surface.roughness = material.roughness * texel.g;
   surface.metallic = material.metallic * texel.b;
@@ -57,7 +58,7 @@ void set_metal(const Material& material, const Texels<Sample>& texels, SurfaceMa
 
 /// KHR_materials_specular. An index of 0 means an infinite one: everything is reflected.
 template <typename Sample>
-void set_reflectance(const Material& material, const Texels<Sample>& texels,
+void set_reflectance(const Material& material, const TextureValues<Sample>& texels,
                      SurfaceMaterial& surface) {
   const float dielectric = (material.ior - 1.0f) / (material.ior + 1.0f);
   const glm::vec3 color = material.specular_color * texels.color(material.specular_color_texture);
@@ -73,7 +74,7 @@ void set_reflectance(const Material& material, const Texels<Sample>& texels,
 }
 
 template <typename Sample>
-SurfaceCoat coat_of(const Clearcoat& coat, const Texels<Sample>& texels) {
+SurfaceCoat coat_of(const Clearcoat& coat, const TextureValues<Sample>& texels) {
   if (!(coat.factor > 0.0f)) return {};
   SurfaceCoat at{coat.factor, coat.roughness};
   at.factor *= texels.at(coat.texture).r;
@@ -82,7 +83,7 @@ SurfaceCoat coat_of(const Clearcoat& coat, const Texels<Sample>& texels) {
 }
 
 template <typename Sample>
-SurfaceSheen sheen_of(const Sheen& sheen, const Texels<Sample>& texels) {
+SurfaceSheen sheen_of(const Sheen& sheen, const TextureValues<Sample>& texels) {
   if (!sheen.used()) return {};
   SurfaceSheen at{sheen.color, sheen.roughness};
   at.color *= texels.color(sheen.color_texture);
@@ -91,7 +92,7 @@ SurfaceSheen sheen_of(const Sheen& sheen, const Texels<Sample>& texels) {
 }
 
 template <typename Sample>
-SurfaceThinFilm film_of(const Iridescence& film, const Texels<Sample>& texels) {
+SurfaceThinFilm film_of(const Iridescence& film, const TextureValues<Sample>& texels) {
   if (!film.used()) return {};
   SurfaceThinFilm at{film.factor, film.ior, film.thickness_max_nm};
   at.factor *= texels.at(film.texture).r;
@@ -101,7 +102,7 @@ SurfaceThinFilm film_of(const Iridescence& film, const Texels<Sample>& texels) {
 }
 
 template <typename Sample>
-SurfaceAnisotropy anisotropy_at(const Anisotropy& anisotropy, const Texels<Sample>& texels) {
+SurfaceAnisotropy anisotropy_at(const Anisotropy& anisotropy, const TextureValues<Sample>& texels) {
   if (!anisotropy.used()) return {};
   const bool textured = texels.render_features.textures && anisotropy.texture.used();
   return textured ? anisotropy_of(anisotropy, glm::vec3(texels.at(anisotropy.texture)))
@@ -109,15 +110,15 @@ SurfaceAnisotropy anisotropy_at(const Anisotropy& anisotropy, const Texels<Sampl
 }
 
 template <typename Sample>
-void set_diffuse_transmission(const DiffuseTransmission& through, const Texels<Sample>& texels,
-                              SurfaceMaterial& surface) {
+void set_diffuse_transmission(const DiffuseTransmission& through,
+                              const TextureValues<Sample>& texels, SurfaceMaterial& surface) {
   if (!through.used()) return;
   surface.diffuse_transmission = through.factor * texels.at(through.texture).a;
   surface.diffuse_transmission_color = through.color * texels.color(through.color_texture);
 }
 
 template <typename Sample>
-glm::vec3 emission_of(const Material& material, const Texels<Sample>& texels) {
+glm::vec3 emission_of(const Material& material, const TextureValues<Sample>& texels) {
   if (!texels.render_features.emission) return glm::vec3(0.0f);
   glm::vec3 emitted = material.emissive * material.emissive_strength;
   if (material.emissive_texture.used() && emitted != glm::vec3(0.0f))
@@ -129,7 +130,7 @@ glm::vec3 emission_of(const Material& material, const Texels<Sample>& texels) {
 template <typename Sample>
 SurfaceMaterial material_with(const Material& material, const RenderFeatures& render_features,
                               glm::vec4 base, const Sample& sample) {
-  const Texels<Sample> texels{render_features, sample};
+  const TextureValues<Sample> texels{render_features, sample};
   SurfaceMaterial surface;
   surface.unlit = material.unlit;
   set_cover(material, base, texels, surface);

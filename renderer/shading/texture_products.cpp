@@ -57,7 +57,7 @@ Shown shown(const SurfaceMaterial& m, float n_dot_v, float roughest_mirror) {
     sum.add_layer(sheen, 1.0f - largest(sheen));
   }
   if (m.coat.factor > 0.0f) {
-    const glm::vec3 coat = viewed(m.coat, n_dot_v).f0;
+    const glm::vec3 coat = viewed(m.coat, n_dot_v).lobe.f0;
     sum.add_layer(mirrored(m.coat.roughness) * coat, 1.0f - coat.x);
   }
   return {m.opacity * sum.front, m.opacity * sum.behind};
@@ -176,7 +176,7 @@ float highlight(const SurfaceMaterial& m, const BrdfAngles& angles, float half_a
                 float irradiance) {
   const float weight = schlick_weight(angles.v_dot_h);
   const auto lobe = [&](float f0, float roughness) {
-    const float alpha = std::max(roughness, roughness_floor) * std::max(roughness, roughness_floor);
+    const float alpha = alpha_of(roughness);
     const float wider = std::sqrt(std::hypot(alpha, 0.5f * half_angle));
     return schlick(f0, 1.0f, weight) * ggx_lobe(std::min(wider, 1.0f), angles);
   };

@@ -1,10 +1,11 @@
 #include "renderer/shading/unevenness.h"
 
+#include "renderer/geometry/largest.h"
 #include "renderer/shading/anisotropy.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/ggx.h"
 #include "renderer/shading/gloss.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_lobe.h"
 #include "renderer/shading/texture.h"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ Bend bend_of(const World& world, const Hit& hit, const Patch& patch, glm::vec3 t
   return {normal, normal_turn(world, hit, patch, normal), patch, viewer_distance};
 }
 
-/// Returns the gloss of a surface at a hit, from its textures.
-Gloss gloss_of(const World& world, const Hit& hit, const Material& material) {
+/// Returns the lobe of a surface at a hit, from its textures and without its stretch.
+Lobe lobe_at(const World& world, const Hit& hit, const Material& material) {
   float roughness = material.roughness, metallic = material.metallic;
   const TextureUse& use = material.metallic_roughness_texture;
   if (use.used()) {
@@ -57,7 +58,7 @@ Gloss gloss_of(const World& world, const Hit& hit, const Material& material) {
     metallic *= texel.b;
   }
   const glm::vec3 c = glm::vec3(material.base_color);
-  return {glm::mix(0.04f, std::max({c.x, c.y, c.z}), metallic), roughness};
+  return {glm::vec3(glm::mix(0.04f, largest(c), metallic)), glm::vec3(1.0f), roughness};
 }
 
 /// Returns the anisotropic stretch of the lobe at a hit.
@@ -77,7 +78,7 @@ LobeStretch stretch_of(const World& world, const Hit& hit, const Material& mater
 // Returns the error of the centre due to a light's highlight. A GGX lobe of width alpha is peak /
 // (1 + (x / alpha)^2)^2 at x from its centre, where its second derivative is 4 / alpha^2 of its
 // peak. Farther out its length scale is the distance from the centre.
-float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, glm::vec3 position,
+float highlight_error(const Light& light, const Lobe& lobe, const Bend& bend, glm::vec3 position,
                       glm::vec3 to_viewer, float stretch_turn2 = 0.0f) {
   glm::vec3 to_light = -glm::vec3(light.direction);
   float distance = std::numeric_limits<float>::infinity();
@@ -88,22 +89,20 @@ float highlight_error(const Light& light, const Gloss& gloss, const Bend& bend, 
     irradiance /= distance * distance;
     to_light = d / distance;
   }
-  const LobeStretch& stretch = gloss.stretch;
-  const float least_roughness = std::max(gloss.roughness, roughness_floor);
-  const float alpha = least_roughness * least_roughness;
+  const float alpha = lobe.alpha();
   // The peak, where the normal is the half vector. Light from behind is at a grazing angle there
   // and is reflected almost completely (Schlick's Fresnel term, Smith's shadowing).
   const glm::vec3 half = glm::normalize(to_light + to_viewer);
   const float along = std::clamp(glm::dot(half, to_viewer), 0.0f, 1.0f);
-  const float fresnel = schlick(gloss.f0, 1.0f, schlick_weight(along));
-  const float a2 = alpha * (stretch.none() ? alpha : alpha_along(stretch, least_roughness));
+  const float fresnel = schlick(largest(lobe.f0), 1.0f, schlick_weight(along));
+  const float a2 = alpha * lobe.alpha_along();
   const float peak = irradiance * fresnel * ggx_over(a2, a2, 2.0f * smith_root(along, a2));
   // The distance of the patch's nearest normal from the half vector, and the lobe there.
-  const float away = away_from_peak(bend.normal, half, stretch, least_roughness);
+  const float away = lobe.away_from_peak(bend.normal, half);
   float turn2 = bend.turn2_about_half(to_viewer, to_light, distance);
-  if (stretch_turn2 > 0.0f && !stretch.none()) {
+  if (stretch_turn2 > 0.0f && !lobe.stretch.none()) {
     // A rotating ridge sweeps over the directions along it.
-    const float aside = glm::dot(half, glm::normalize(stretch.along));
+    const float aside = glm::dot(half, glm::normalize(lobe.stretch.along));
     turn2 += aside * aside * stretch_turn2;
   }
   const float nearest = std::max(0.0f, away - 0.5f * std::sqrt(turn2));
@@ -140,12 +139,12 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   // The centre of a curved patch has an error of turn^2 / 24, or of up to turn / 8 where part of
   // the patch is beyond grazing. turn^2 / 3 is in between.
   float error = reflected * (turn2 / 3.0f + nearness2(lights, position, patch) / 4.0f);
-  Gloss base = gloss_of(world, hit, material);
+  Lobe base = lobe_at(world, hit, material);
   base.stretch = stretch_of(world, hit, material, base.roughness, bend.normal, ray);
   const glm::vec2 turn =
       base.stretch.none() ? glm::vec2(0.0f) : tangent_turn(world, hit, patch, bend.normal);
-  for (const Gloss& lobe : GlossyLobes(base, material.coat.factor, material.coat.roughness)) {
-    if (lobe.roughness >= least_broad_roughness) continue;
+  for (const Lobe& lobe : GlossyLobes(base, material.coat.factor, material.coat.roughness)) {
+    if (lobe.is_broad()) continue;
     for (const Light& light : lights) {
       if (rule == LightRule::published || !traits_of(light_shape(light)).extended)
         error += highlight_error(light, lobe, bend, position, -ray.direction, glm::dot(turn, turn));
@@ -154,14 +153,14 @@ float midpoint_error(const World& world, std::span<const Light> lights, const Ra
   return error < 1.0f ? error : 1.0f;
 }
 
-float glint_error(std::span<const Light> lights, const Gloss& gloss, const SurfacePoint& point,
+float glint_error(std::span<const Light> lights, const Lobe& lobe, const SurfacePoint& point,
                   glm::vec3 to_viewer) {
   const float variance = point.spread.variance;
-  if (gloss.roughness >= least_broad_roughness || !(variance > 0.0f)) return 0.0f;
+  if (lobe.is_broad() || !(variance > 0.0f)) return 0.0f;
   const Bend bend{point.shading_normal, {{}, {}, variance}, {}};
   float error = 0.0f;
   for (const Light& light : lights)
-    error += highlight_error(light, gloss, bend, point.position, to_viewer);
+    error += highlight_error(light, lobe, bend, point.position, to_viewer);
   return error < 1.0f ? error : 1.0f;
 }
 

@@ -30,7 +30,7 @@ namespace asos {
 
 /// Returns the error for highlights of a lobe on a patch whose normals vary by the point's spread;
 /// 0 without narrow highlights. `to_viewer` is unit.
-[[nodiscard]] float glint_error(std::span<const Light> lights, const Gloss& gloss,
+[[nodiscard]] float glint_error(std::span<const Light> lights, const Lobe& lobe,
                                 const SurfacePoint& point, glm::vec3 to_viewer);
 
 /// Returns the error for the unshadowed irradiance of a light with an extent, which falls off

@@ -88,11 +88,14 @@ struct LitSubject {
   s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, glm::vec3(to_viewer), n_dot_v});
   const auto unit = [&] { return static_cast<float>(space.between(0, 1)); };
   // Rougher than a mirror: near a mirror's reflection the last bits of a direction decide.
-  s.material = {{unit(), unit(), unit()}, {},    glm::vec3(unit()), 0.3f + 0.7f * unit(),
-                glm::vec3(unit()),        unit()};
+  s.material.diffuse = {unit(), unit(), unit()};
+  s.material.lobe.f0 = glm::vec3(unit());
+  s.material.lobe.roughness = 0.3f + 0.7f * unit();
+  s.material.lobe.f90 = glm::vec3(unit());
+  s.material.falloff = unit();
   if (kind % 7 == 0) {
-    s.material.roughness = 1.0f;
-    s.material.sheen = 0.2f + 0.8f * unit();
+    s.material.lobe.roughness = 1.0f;
+    s.material.lobe.sheen = 0.2f + 0.8f * unit();
   }
   s.mirrored = kind % 5 == 0 ? MirroredLights::all : MirroredLights::none;
   s.share = {unit(), unit(), unit()};

@@ -26,7 +26,7 @@ struct WhiteFloor {
   }
   SurfacePoint at;
   ViewedPoint view = viewed_point(at, {0, 1, 0});
-  ViewedMaterial material{glm::vec3(1.0f), glm::vec3(0.0f), glm::vec3(0.0f), 1.0f, glm::vec3(0.0f)};
+  ViewedMaterial material{{glm::vec3(0.0f), glm::vec3(0.0f), 1.0f}, glm::vec3(1.0f)};
 };
 
 // The maximum over the shading points; zero without any.

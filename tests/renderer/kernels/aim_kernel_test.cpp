@@ -144,7 +144,7 @@ TEST(RepeatedPoint, HasNoSheenThatAnotherHad) {
   int without = 0;
   for (const LitSubject& subject : subjects.subjects) {
     const LightingQuery lit = subject.lit();
-    if (lit.material.sheen > 0.0f) continue;
+    if (lit.material.lobe.is_sheen()) continue;
     used.sheen.fill(0.5f);
     used.count = 0;
     used.add(lit, glm::vec3(1.0f));

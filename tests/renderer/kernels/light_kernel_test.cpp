@@ -34,7 +34,7 @@ struct Expected {
 /// Density of reflected visible normals (Heitz 2018), by solid angle.
 double lobe_density(const LitSubject& s, glm::dvec3 l) {
   const glm::dvec3 n(s.point->shading_normal), v(s.view->to_viewer);
-  const double a2 = std::pow(static_cast<double>(s.material.roughness), 4.0);
+  const double a2 = std::pow(static_cast<double>(s.material.lobe.roughness), 4.0);
   const double nv = glm::dot(n, v), nh = glm::dot(n, glm::normalize(v + l));
   const double d = nh * nh * (a2 - 1.0) + 1.0;
   const double masked = 2.0 * nv / (nv + std::sqrt(a2 + (1.0 - a2) * nv * nv));
@@ -46,8 +46,8 @@ double lobe_density(const LitSubject& s, glm::dvec3 l) {
 double share_of_light(const PreparedLight& light, const LitSubject& s, const LightSample& sample) {
   const glm::dvec3 n(s.point->shading_normal);
   const bool area = light.extended() && light.shape != LightShape::segment;
-  const bool narrow = s.material.roughness < least_broad_roughness &&
-                      glm::dot(n, glm::dvec3(s.view->to_viewer)) > 1.0 / 512.0;
+  const bool narrow =
+      !s.material.lobe.is_broad() && glm::dot(n, glm::dvec3(s.view->to_viewer)) > 1.0 / 512.0;
   const double form = static_cast<double>(sample.irradiance.x) / static_cast<double>(light.power.x);
   if (!area || !narrow || shows(s.mirrored, light) || !(form > 0.0)) return 1.0;
   const double density = glm::dot(n, sample.direction) / form;
@@ -189,9 +189,9 @@ TEST(LightKernel, SamplesOfLightAndLobeTogetherHaveTheMeanOfTheBrdf) {
     const glm::vec3 to_viewer = glm::normalize(glm::vec3(0.9f, 1.3f, 0.1f));
     s.view = std::make_unique<ViewedPoint>(ViewedPoint{*s.point, to_viewer, to_viewer.y});
     s.material.diffuse = glm::vec3(0.3f);
-    s.material.f0 = glm::vec3(0.7f);
+    s.material.lobe.f0 = glm::vec3(0.7f);
     s.material.falloff = 0.9f;
-    s.material.roughness = roughness;
+    s.material.lobe.roughness = roughness;
     const LightingQuery lit = s.lit();
     for (const NamedLight& light : lights(1.0, {0, 0, 0})) {
       const PreparedLight& prepared = light.prepared;

@@ -51,8 +51,7 @@ class Picked : public testing::Test {
   }
 
   SurfacePoint at_;
-  ViewedMaterial material_{glm::vec3(1.0f), glm::vec3(0.0f), glm::vec3(0.0f), 1.0f,
-                           glm::vec3(0.0f)};
+  ViewedMaterial material_{{glm::vec3(0.0f), glm::vec3(0.0f), 1.0f}, glm::vec3(1.0f)};
   std::vector<PreparedLight> prepared_;
   std::vector<LightConstants> constants_;
   std::vector<LightBounds> bounds_;

@@ -46,7 +46,7 @@ struct Subjects {
     ViewedMaterial seen{};
     seen.ambient = materials->ambient.at(i);
     if (sky->lobe_reflects[i] > 0.0f) seen.specular = materials->specular.at(i);
-    seen.roughness = materials->roughness[i];
+    seen.lobe.roughness = materials->roughness[i];
     return reflected_sky(&of, seen, points->normal.at(i), points->to_viewer.at(i));
   }
 };

@@ -4,6 +4,7 @@
 #include "tests/renderer/shading/seen_floor.h"
 #include "tests/support/make_light.h"
 #include "tests/support/tiny_image.h"
+#include "tests/support/white_lobe.h"
 
 #include <gtest/gtest.h>
 
@@ -111,8 +112,9 @@ TEST(Anisotropy, SumsOverLightsWithASizeAreTheirIntegrals) {
             flat_patch(middle - lamp.half_u - lamp.half_v, 2.0 * lamp.half_u, 2.0 * lamp.half_v));
         const double alpha = r.roughness * r.roughness;
         const double along = glm::mix(alpha, 1.0, r.anisotropy * r.anisotropy);
-        LightQuadrature sum(receiver, at.to_viewer, r.roughness, 0.0,
-                            glm::vec3(std::sqrt(along * along - alpha * alpha) * r.tangent));
+        Lobe lobe = white_lobe(r.roughness);
+        lobe.stretch.along = glm::vec3(std::sqrt(along * along - alpha * alpha) * r.tangent);
+        LightQuadrature sum(receiver, at.to_viewer, lobe);
         EXPECT_NEAR(sum(light).lobe, expected.x, 5e-3 * expected.x + 1e-5)
             << angle << ' ' << middle.x << ' ' << r.anisotropy;
       }

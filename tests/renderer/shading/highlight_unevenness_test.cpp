@@ -1,5 +1,7 @@
 #include "renderer/shading/highlight_unevenness.h"
 
+#include "tests/support/white_lobe.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,9 +23,12 @@ SurfacePoint flat_point() {
 GlossyPatch mirror(const SurfacePoint& point, double angle) {
   const glm::vec3 to_viewer(static_cast<float>(std::sin(angle)), 0.0f,
                             static_cast<float>(std::cos(angle)));
-  return {
-      point,        {}, {{1, 0, 0}, {0, 1, 0}}, to_viewer, std::numeric_limits<float>::infinity(),
-      {0.04f, 0.0f}};
+  return {point,
+          {},
+          {{1, 0, 0}, {0, 1, 0}},
+          to_viewer,
+          std::numeric_limits<float>::infinity(),
+          white_lobe(0.0, 0.04f)};
 }
 
 double schlick(double angle) {

@@ -4,6 +4,7 @@
 #include "tests/support/random_space.h"
 #include "tests/support/rendering_equation.h"
 #include "tests/support/sample_lights.h"
+#include "tests/support/white_lobe.h"
 
 #include <gtest/gtest.h>
 
@@ -78,8 +79,8 @@ void add_errors(const std::string& kind, double roughness, double theta, Errors&
   const glm::dvec3 up(0, 0, 1);
   const Receiver receiver{glm::dvec3(0.0), up, up};
   const glm::dvec3 v = direction(theta, std::numbers::pi);
-  LightQuadrature quadrature(receiver, v, roughness);
-  LightQuadrature dull(receiver, v, roughness, 0.0, glm::vec3(0.0f), Reflectance::low);
+  LightQuadrature quadrature(receiver, v, white_lobe(roughness));
+  LightQuadrature dull(receiver, v, white_lobe(roughness, 0.04f));
   const double lobe = std::min(1.0, 2.0 * roughness * roughness);
   const SeenPoint at{glm::dvec3(0.0), up, v};
   for (const auto& [towards, distance, size] :
@@ -128,7 +129,7 @@ TEST(LightQuadrature, ASmallRoundLightIsOneCell) {
       for (const double aside : {0.0, 0.2, 0.7}) {
         const glm::dvec3 v = direction(0.6, std::numbers::pi);
         const PreparedLight light = light_at(kind, direction(0.6 + aside, 0.0), 30.0, 0.3);
-        LightQuadrature quadrature(receiver, v, roughness);
+        LightQuadrature quadrature(receiver, v, white_lobe(roughness));
         const double found = quadrature(light).lobe;
         EXPECT_EQ(quadrature.cells(), 1) << kind << ' ' << roughness << ' ' << aside;
         const double truth =
@@ -206,10 +207,10 @@ TEST(LightQuadrature, ALineThatSetsEndsAtTheHorizon) {
       const double power = static_cast<double>(line.power.x);
       const glm::dvec3 beside = glm::normalize(up + glm::dvec3(-0.1, 0.05, 0.0));
       const ReflectedIntegral found =
-          LightQuadrature({glm::dvec3(0.0), up, up}, v, roughness)(line);
+          LightQuadrature({glm::dvec3(0.0), up, up}, v, white_lobe(roughness))(line);
       EXPECT_NEAR(power * found.lobe, expected, 3e-4 * expected) << tilt << ' ' << roughness;
       const ReflectedIntegral cut =
-          LightQuadrature({glm::dvec3(0.0), up, beside}, v, roughness)(line);
+          LightQuadrature({glm::dvec3(0.0), up, beside}, v, white_lobe(roughness))(line);
       EXPECT_LT(cut.lobe, found.lobe) << tilt << ' ' << roughness;
       EXPECT_GT(cut.lobe, 0.5 * found.lobe) << tilt << ' ' << roughness;
     }
@@ -223,7 +224,8 @@ TEST(LightQuadrature, WithinABallLightComesFromEverywhere) {
     glm::dvec3 v = random.direction();
     if (glm::dot(n, v) < 0.0) v = -v;
     const PreparedLight ball = light_at("ball", n, 0.1, 2.0);
-    const ReflectedIntegral found = LightQuadrature({glm::dvec3(0.0), n, n}, v, roughness)(ball);
+    const ReflectedIntegral found =
+        LightQuadrature({glm::dvec3(0.0), n, n}, v, white_lobe(roughness))(ball);
     const PatchQuadrature sum({glm::dvec3(1.0), 1.0, roughness}, {glm::dvec3(0.0), n, v});
     const glm::dvec3 x = across(n), y = glm::cross(n, x);
     // The hemisphere as five sides of a cube.
@@ -240,7 +242,7 @@ TEST(LightQuadrature, DoesNotDependOnUnits) {
   const glm::dvec3 up(0, 0, 1);
   for (const char* kind : kinds) {
     const glm::dvec3 towards = direction(0.7, 0.1), v = direction(0.6, std::numbers::pi);
-    LightQuadrature quadrature({glm::dvec3(0.0), up, up}, v, 0.3);
+    LightQuadrature quadrature({glm::dvec3(0.0), up, up}, v, white_lobe(0.3));
     const ReflectedIntegral one = quadrature(light_at(kind, towards, 2.0, 0.6));
     EXPECT_GT(one.lobe, 0.0);
     for (const double unit : {1e-6, 1e6}) {
@@ -263,7 +265,7 @@ TEST(LightQuadrature, IsFiniteWhereverTheReceiverIs) {
           light.position + light.half_u + 1e-12 * light.towards, glm::dvec3(1e12, 0, 0)}) {
       for (int round = 0; round < 20; ++round) {
         LightQuadrature quadrature({position, random.direction(), random.direction()},
-                                   random.direction(), random.between(0.0, 1.2));
+                                   random.direction(), white_lobe(random.between(0.0, 1.2)));
         const ReflectedIntegral all = quadrature(light);
         EXPECT_TRUE(std::isfinite(all.lobe + all.fresnel + all.scattered)) << kind;
         EXPECT_GE(all.lobe, 0.0);

@@ -3,6 +3,7 @@
 #include "renderer/sampling/sobol_points.h"
 #include "renderer/shading/viewed_point.h"
 #include "tests/support/facets.h"
+#include "tests/support/white_lobe.h"
 
 #include <gtest/gtest.h>
 
@@ -19,15 +20,15 @@ constexpr int rings = 700;
 struct Seen {
   Seen(double angle, float roughness)
       : to_viewer(0.8 * std::sin(angle), 0.6 * std::sin(angle), std::cos(angle)) {
-    material.f0 = glm::vec3(0.04f, 0.5f, 1.0f);
-    material.roughness = roughness;
+    own.f0 = glm::vec3(0.04f, 0.5f, 1.0f);
+    own.roughness = roughness;
     facets.alpha = glm::dvec2(static_cast<double>(roughness) * static_cast<double>(roughness));
   }
   [[nodiscard]] LobeDirections lobe(float spread = 0.0f) const {
-    return {material, spread, {0, 0, 1}, glm::vec3(to_viewer)};
+    return {own, spread, {0, 0, 1}, glm::vec3(to_viewer)};
   }
 
-  ViewedMaterial material{};
+  Lobe own;
   Facets facets;
   glm::dvec3 to_viewer;
 };
@@ -53,11 +54,11 @@ void expect_facets(Seen seen, const LobeDirections& lobe) {
     const auto radiance = [even](glm::dvec3 l) { return even ? 1.0 : surroundings(l); };
     const glm::dvec3 found = mean(lobe, radiance);
     for (int c = 0; c < 3; ++c) {
-      seen.facets.f0 = static_cast<double>(seen.material.f0[c]);
+      seen.facets.f0 = static_cast<double>(seen.own.f0[c]);
       const double expected = seen.facets.mirrored(rings, seen.to_viewer, radiance);
       EXPECT_NEAR(found[c], expected, 1e-3 * expected)
-          << "roughness " << seen.material.roughness << ", cosine " << seen.to_viewer.z
-          << ", colour " << c << (even ? ", even" : "");
+          << "roughness " << seen.own.roughness << ", cosine " << seen.to_viewer.z << ", colour "
+          << c << (even ? ", even" : "");
     }
   }
 }
@@ -79,7 +80,7 @@ TEST(LobeDirections, AreDrawnOutAsTheLobeIs) {
     Seen seen(angle, 0.25f);
     seen.facets.alpha.x = 0.3;
     const double across = seen.facets.alpha.y;
-    seen.material.stretch.along = {
+    seen.own.stretch.along = {
         static_cast<float>(std::sqrt(seen.facets.alpha.x * seen.facets.alpha.x - across * across)),
         0.0f, 0.0f};
     expect_facets(seen, seen.lobe());
@@ -166,11 +167,8 @@ TEST(MirroringNormal, MirrorsAboveTheSurface) {
 }
 
 TEST(LobeDirections, AreUnitForAViewerBelowTheNormal) {
-  ViewedMaterial material{};
-  material.roughness = 0.3f;
-  material.f0 = glm::vec3(1.0f);
   const glm::vec3 viewer = glm::normalize(glm::vec3(1.0f, 0.0f, -0.3f));
-  const LobeDirections lobe(material, 0.0f, {0, 0, 1}, viewer);
+  const LobeDirections lobe(white_lobe(0.3), 0.0f, {0, 0, 1}, viewer);
   for (int i = 0; i < 64; ++i) {
     const auto found = lobe.mirrored({(i + 0.5) / 64.0, 0.3});
     if (found) {

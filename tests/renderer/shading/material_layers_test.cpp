@@ -32,7 +32,7 @@ TEST(MaterialLayers, TransmittedLightPassesEveryLayer) {
   EXPECT_NEAR(bare, 1.0f - viewed(glass, cosine).specular.x, 1e-6f);
   SurfaceMaterial coated = glass;
   coated.coat = {0.5f, 0.2f};
-  const float reflected = viewed(coated.coat, cosine).f0.x;
+  const float reflected = viewed(coated.coat, cosine).lobe.f0.x;
   EXPECT_GT(reflected, 0.01f);
   EXPECT_NEAR(transmitted_share(coated, cosine), (1.0f - reflected) * bare, 1e-6f);
   coated.sheen = {{0.2f, 0.9f, 0.4f}, 0.5f};

@@ -1,5 +1,7 @@
 #include "renderer/shading/patch_curvature.h"
 
+#include "tests/support/white_lobe.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -95,11 +97,9 @@ TEST(PatchCurvature, DependsOnTheLobe) {
                          glm::vec3 direction = {0, 0, 1}) {
     PatchCurvature bend;
     bend.turn.right = {turn, 0, 0};
-    ViewedMaterial material{};
-    material.roughness = roughness;
     const Highlight highlight{direction, half_angle_tangent};
     const PatchCurvature::CentreEstimate found =
-        bend.of_middle(flat.view, material, sun, highlight);
+        bend.of_middle(flat.view, white_lobe(roughness), sun, highlight);
     parts = found.parts;
     return found.error;
   };
@@ -128,11 +128,11 @@ TEST(PatchCurvature, TurnsTheStretch) {
   PatchCurvature bend;
   bend.stretch_turn = {0.6f, 0.0f};
   ViewedMaterial material{};
-  material.stretch.along = {0.5f, 0, 0};
+  material.lobe.stretch.along = {0.5f, 0, 0};
   const std::vector<PatchCurvature::Point> points = points_of(bend, flat.view, material);
   const float angle = 0.6f * 0.5f / std::sqrt(3.0f);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const glm::vec3 along = points[i].material.stretch.along;
+    const glm::vec3 along = points[i].material.lobe.stretch.along;
     EXPECT_NEAR(along.x, 0.5f * std::cos(angle), 1e-6f);
     EXPECT_NEAR(along.y, (i % 2 == 0 ? -0.5f : 0.5f) * std::sin(angle), 1e-6f);
   }

@@ -1,8 +1,9 @@
 #include "renderer/shading/reflected_light.h"
 
 #include "renderer/shading/light_transport.h"
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_lobe.h"
 #include "tests/support/make_light.h"
+#include "tests/support/white_lobe.h"
 
 #include <gtest/gtest.h>
 
@@ -26,8 +27,8 @@ struct Seen {
   Seen() {
     point.geometric_normal = point.shading_normal = {0, 0, 1};
     material.diffuse = glm::vec3(0.2f, 0.1f, 0.0f);
-    material.f0 = glm::vec3(0.9f, 0.5f, 0.04f);
-    material.roughness = 0.3f;
+    material.lobe.f0 = glm::vec3(0.9f, 0.5f, 0.04f);
+    material.lobe.roughness = 0.3f;
   }
   [[nodiscard]] glm::vec3 radiance(const PreparedLight& light) const {
     const ViewedPoint view{point, glm::normalize(glm::vec3(-1, 0, 1)), std::sqrt(0.5f)};
@@ -56,17 +57,17 @@ TEST(MirroredLights, AreThoseThatHaveASurface) {
 
 TEST(ReflectedLights, SendOnDiffuseLightAndTheSpecularIntegral) {
   Seen seen;
-  seen.material.f90 = glm::vec3(0.7f);
+  seen.material.lobe.f90 = glm::vec3(0.7f);
   seen.material.falloff = 0.6f;
   // The light lacks one of the colours.
   const PreparedLight light = rectangle({1.0f, 0.25f, 0.0f});
   const Receiver receiver = receiver_at(seen.point);
   const ReflectedIntegral all =
-      LightQuadrature(receiver, glm::normalize(glm::dvec3(-1, 0, 1)), 0.3)(light);
+      LightQuadrature(receiver, glm::normalize(glm::dvec3(-1, 0, 1)), test::white_lobe(0.3))(light);
   const glm::vec3 radiance = seen.radiance(light);
   const glm::vec3 irradiance = unshadowed_irradiance(light, receiver);
   for (int i = 0; i < 3; ++i) {
-    const double f0 = seen.material.f0[i];
+    const double f0 = seen.material.lobe.f0[i];
     const double diffuse = seen.material.diffuse[i] * std::numbers::inv_pi *
                            (irradiance[i] - 0.6 * light.power[i] * all.scattered);
     const double expected = diffuse + light.power[i] * (f0 * all.lobe + (0.7 - f0) * all.fresnel);
@@ -84,10 +85,10 @@ TEST(ReflectedLights, AreFainterWhereNormalsTurn) {
   EXPECT_LT(turned.x, 0.9f * flat.x);
   EXPECT_GT(turned.x, 0.2f * flat.x);
   // The same as from a rougher flat surface.
-  const PatchLobe lobe(seen.point.spread, 0.3f, seen.point.shading_normal);
+  const PatchLobe lobe(seen.point.spread, test::white_lobe(0.3), seen.point.shading_normal);
   ASSERT_TRUE(lobe.wider());
   seen.point.spread = {};
-  seen.material.roughness = lobe.round_roughness();
+  seen.material.lobe.roughness = lobe.round_roughness();
   EXPECT_NEAR(seen.radiance(light).x, turned.x, 1e-4f * turned.x);
 }
 

@@ -119,7 +119,7 @@ TEST(Sky, WithoutOneIsNeutral) {
   seen.ambient = glm::vec3(0.5f);
   seen.specular = glm::vec3(0.1f);
   for (const float roughness : {0.0f, 0.5f, 1.0f}) {
-    seen.roughness = roughness;
+    seen.lobe.roughness = roughness;
     EXPECT_FLOAT_EQ(reflected_sky(nullptr, seen, {0, 1, 0}, {0, 1, 0}).r,
                     ambient_radiance * 0.5f + sky_radiance * mirrored_visibility(roughness) * 0.1f);
   }

@@ -142,14 +142,14 @@ TEST(Film, WithZeroFactorChangesNoBit) {
   const ViewedMaterial bare = viewed(m, 0.6f);
   m.film = {0.0f, 1.7f, 300.0f};
   const ViewedMaterial same = viewed(m, 0.6f);
-  EXPECT_EQ(bare.f0, same.f0);
+  EXPECT_EQ(bare.lobe.f0, same.lobe.f0);
   EXPECT_EQ(bare.diffuse, same.diffuse);
   EXPECT_EQ(bare.specular, same.specular);
   m.film.factor = 0.5f;
   const ViewedMaterial half = viewed(m, 0.6f);
   m.film.factor = 1.0f;
   const ViewedMaterial whole = viewed(m, 0.6f);
-  EXPECT_LT(glm::distance(half.f0, 0.5f * (bare.f0 + whole.f0)), 1e-6f);
+  EXPECT_LT(glm::distance(half.lobe.f0, 0.5f * (bare.lobe.f0 + whole.lobe.f0)), 1e-6f);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "tests/support/make_light.h"
 #include "tests/support/tiny_world.h"
+#include "tests/support/white_lobe.h"
 
 #include <gtest/gtest.h>
 
@@ -142,7 +143,7 @@ TEST(GlintError, IsThatOfNormalsThatScatterAHighlight) {
     SurfacePoint point;
     point.shading_normal = up;
     point.spread.variance = variance;
-    return glint_error({&light, 1}, Gloss{1.0f, roughness}, point, up);
+    return glint_error({&light, 1}, white_lobe(roughness), point, up);
   };
   EXPECT_EQ(error(0.2f, 0.0f), 0.0f);
   EXPECT_GT(error(0.2f, 0.01f), 0.5f);

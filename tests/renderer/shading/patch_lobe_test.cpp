@@ -1,7 +1,8 @@
-#include "renderer/shading/lobe.h"
+#include "renderer/shading/patch_lobe.h"
 
 #include "renderer/shading/surface.h"
 #include "tests/support/tiny_world.h"
+#include "tests/support/white_lobe.h"
 
 #include <gtest/gtest.h>
 
@@ -31,14 +32,14 @@ float distribution(const PatchLobe& lobe, glm::vec3 n, glm::vec3 half) {
 }
 
 TEST(PatchLobe, IsTheMaterialsOwnWhereNormalsDoNotDiffer) {
-  EXPECT_FALSE(PatchLobe({}, 0.2f, {0, 0, 1}).wider());
-  EXPECT_FALSE(PatchLobe({{1e-5f, 0, 0}, {}, 0.0f}, 0.3f, {0, 0, 1}).wider());
-  EXPECT_TRUE(PatchLobe({{0.1f, 0, 0}, {}, 0.0f}, 0.3f, {0, 0, 1}).wider());
-  EXPECT_TRUE(PatchLobe({{}, {}, 0.01f}, 0.3f, {0, 0, 1}).wider());
+  EXPECT_FALSE(PatchLobe({}, test::white_lobe(0.2f), {0, 0, 1}).wider());
+  EXPECT_FALSE(PatchLobe({{1e-5f, 0, 0}, {}, 0.0f}, test::white_lobe(0.3f), {0, 0, 1}).wider());
+  EXPECT_TRUE(PatchLobe({{0.1f, 0, 0}, {}, 0.0f}, test::white_lobe(0.3f), {0, 0, 1}).wider());
+  EXPECT_TRUE(PatchLobe({{}, {}, 0.01f}, test::white_lobe(0.3f), {0, 0, 1}).wider());
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
-    EXPECT_FALSE(PatchLobe({{bad, 0, 0}, {}, 0.0f}, 0.3f, {0, 0, 1}).wider());
-    EXPECT_FALSE(PatchLobe({{}, {}, bad}, 0.3f, {0, 0, 1}).wider());
+    EXPECT_FALSE(PatchLobe({{bad, 0, 0}, {}, 0.0f}, test::white_lobe(0.3f), {0, 0, 1}).wider());
+    EXPECT_FALSE(PatchLobe({{}, {}, bad}, test::white_lobe(0.3f), {0, 0, 1}).wider());
   }
 }
 
@@ -48,11 +49,12 @@ TEST(PatchLobe, MeetsTheMaterialsLobeAsTheSpreadVanishes) {
   const glm::vec3 v = glm::normalize(glm::vec3(-0.2f, -0.7f, 0.6f));
   const glm::vec3 h = glm::normalize(l + v);
   for (const float roughness : {0.05f, 0.3f, 0.8f}) {
-    const float alpha = std::max(roughness, roughness_floor) * std::max(roughness, roughness_floor);
+    const float alpha = alpha_of(roughness);
     // Just above the limit of a thousandth of alpha^2 for ignored spreads: the jump is at most a
     // few thousandths.
     const float d = std::sqrt(1.1e-3f * 12.0f) * alpha;
-    const PatchLobe lobe({d * glm::normalize(glm::cross(n, l)), {}, 0.0f}, roughness, n);
+    const PatchLobe lobe({d * glm::normalize(glm::cross(n, l)), {}, 0.0f},
+                         test::white_lobe(roughness), n);
     ASSERT_TRUE(lobe.wider());
     const float own = ggx_lobe(roughness, angles_of(n, h, l, v));
     EXPECT_NEAR(lobe.value(h, l, v, angles_of(n, h, l, v)), own, 3e-3f * own) << roughness;
@@ -66,7 +68,7 @@ TEST(PatchLobe, KeepsItsEnergy) {
                                      NormalSpread{{0.2f, 0.2f, 0}, {0, 0.1f, 0}, 0.02f},
                                      NormalSpread{{3.0f, 0, 0}, {0, 0, 0}, 0.5f}}) {
     for (const float roughness : {0.1f, 0.4f}) {
-      const PatchLobe lobe(spread, roughness, n);
+      const PatchLobe lobe(spread, test::white_lobe(roughness), n);
       ASSERT_TRUE(lobe.wider());
       constexpr int steps = 2000;
       constexpr int turns = 200;
@@ -102,7 +104,7 @@ TEST(PatchLobe, IsNearerToTheMeanOverABoxOfNormalsThanTheMiddlesLobe) {
     return 1.0 / (pi * alpha * alpha * s * s);
   };
   for (const float d : {0.25f * alpha, 0.5f * alpha, alpha}) {
-    const PatchLobe lobe({{d, 0, 0}, {0, d, 0}, 0.0f}, roughness, n);
+    const PatchLobe lobe({{d, 0, 0}, {0, d, 0}, 0.0f}, test::white_lobe(roughness), n);
     double filtered = 0.0, middle = 0.0;
     for (const double away : {0.0, 0.5, 1.0, 2.0, 4.0}) {
       const double slope = away * static_cast<double>(alpha);
