@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/world/render_features.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,10 +24,11 @@ enum class LightShape : std::uint8_t {
 
 /// Properties of a shape.
 struct LightTraits {
-  bool extended = false;  ///< its shadows have penumbrae
-  bool infinite = false;  ///< infinitely distant
-  bool flat = false;      ///< in a plane, within position +- half_u +- half_v
-  bool line = false;      ///< without width: no direction hits it
+  bool RenderFeatures::*feature;  ///< that a scene with such a light needs
+  bool extended = false;          ///< its shadows have penumbrae
+  bool infinite = false;          ///< infinitely distant
+  bool flat = false;              ///< in a plane, within position +- half_u +- half_v
+  bool line = false;              ///< without width: no direction hits it
 
   /// Returns whether the light has a radiance, which highlights of narrow lobes show.
   [[nodiscard]] constexpr bool has_area() const { return extended && !line; }
@@ -34,17 +37,17 @@ struct LightTraits {
 };
 
 /// One row per shape, in the enumeration's order.
-inline constexpr std::array light_traits{
-    LightTraits{},                                    // point
-    LightTraits{.infinite = true},                    // distant
-    LightTraits{.extended = true},                    // ball
-    LightTraits{.extended = true, .infinite = true},  // sun
-    LightTraits{.extended = true, .line = true},      // segment
-    LightTraits{.extended = true},                    // capsule
-    LightTraits{.extended = true, .flat = true},      // rectangle
-    LightTraits{.extended = true, .flat = true},      // polygon
-    LightTraits{.extended = true, .flat = true},      // disk
-};
+inline constexpr auto light_traits = std::to_array<LightTraits>({
+    {.feature = &RenderFeatures::punctual_lights},                                   // point
+    {.feature = &RenderFeatures::punctual_lights, .infinite = true},                 // distant
+    {.feature = &RenderFeatures::ball_lights, .extended = true},                     // ball
+    {.feature = &RenderFeatures::suns, .extended = true, .infinite = true},          // sun
+    {.feature = &RenderFeatures::linear_lights, .extended = true, .line = true},     // segment
+    {.feature = &RenderFeatures::linear_lights, .extended = true},                   // capsule
+    {.feature = &RenderFeatures::rectangle_lights, .extended = true, .flat = true},  // rectangle
+    {.feature = &RenderFeatures::rectangle_lights, .extended = true, .flat = true},  // polygon
+    {.feature = &RenderFeatures::disk_lights, .extended = true, .flat = true},       // disk
+});
 [[nodiscard]] constexpr const LightTraits& traits_of(LightShape shape) {
   return light_traits[static_cast<std::size_t>(shape)];
 }

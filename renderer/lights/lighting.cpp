@@ -38,6 +38,17 @@ std::vector<std::uint8_t> parts_that_show(const World& world, std::span<const Li
 
 }  // namespace
 
+RenderFeatures find_render_features(std::span<const Light> lights) {
+  RenderFeatures render_features;
+  for (const Light& light : lights) {
+    const LightTraits& traits = traits_of(light_shape(light));
+    render_features.*traits.feature = true;
+    render_features.shadows |= light.casts_shadows;
+    render_features.soft_shadows |= light.casts_shadows && traits.extended;
+  }
+  return render_features;
+}
+
 Lighting prepare_lighting(const World& world, std::vector<Light> lights) {
   Lighting lighting;
   lighting.emissive_lights = static_cast<std::size_t>(std::count_if(

@@ -32,6 +32,9 @@ struct Lighting {
   }
 };
 
+/// Returns the features that lights need in addition to those of their world.
+[[nodiscard]] RenderFeatures find_render_features(std::span<const Light> lights);
+
 /// Prepares lights for a world. Takes time for each light, and for finding the light intersections.
 [[nodiscard]] Lighting prepare_lighting(const World& world, std::vector<Light> lights);
 

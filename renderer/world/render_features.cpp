@@ -145,33 +145,6 @@ void add_material(RenderFeatures& render_features, const Material& m) {
   render_features.metals |= m.metallic > 0.0f;
 }
 
-void add_light(RenderFeatures& render_features, const Light& light) {
-  bool sized = true;
-  switch (light.type) {
-    case Light::Type::point:
-    case Light::Type::spot:
-      sized = light.radius > 0.0;
-      (sized ? render_features.ball_lights : render_features.punctual_lights) = true;
-      break;
-    case Light::Type::directional:
-      sized = light.angular_diameter_rad > 0.0;
-      (sized ? render_features.suns : render_features.punctual_lights) = true;
-      break;
-    case Light::Type::linear:
-      render_features.linear_lights = true;
-      break;
-    case Light::Type::rectangle:
-    case Light::Type::polygon:
-      render_features.rectangle_lights = true;
-      break;
-    case Light::Type::disk:
-      render_features.disk_lights = true;
-      break;
-  }
-  render_features.shadows |= light.casts_shadows;
-  render_features.soft_shadows |= light.casts_shadows && sized;
-}
-
 /// Returns whether the colours' alpha differs within a part.
 bool alpha_differs(const World& world, const Part& part) {
   if (world.colors.empty() || part.vertex_count == 0) return false;
@@ -260,12 +233,6 @@ RenderFeatures find_render_features(const World& world) {
                   [&](const Part& part) { return opacity_varies(world, part); });
   render_features.boundaries = true;
   render_features.intersections = true;
-  return render_features;
-}
-
-RenderFeatures find_render_features(std::span<const Light> lights) {
-  RenderFeatures render_features;
-  for (const Light& light : lights) add_light(render_features, light);
   return render_features;
 }
 

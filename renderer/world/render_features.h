@@ -90,9 +90,6 @@ struct RenderFeature {
 /// Returns whether the opacity of a non-opaque part may vary.
 [[nodiscard]] bool opacity_varies(const World& world, const Part& part);
 
-/// Returns the features that lights need in addition.
-[[nodiscard]] RenderFeatures find_render_features(std::span<const Light> lights);
-
 /// Returns RenderFeatures::mirrors for materials with these defocusing ratios instead of their own.
 [[nodiscard]] bool needs_mirrors(const World& world, const MaterialDfrs& dfrs);
 

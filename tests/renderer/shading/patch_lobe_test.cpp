@@ -1,5 +1,6 @@
 #include "renderer/shading/patch_lobe.h"
 
+#include "renderer/lights/lighting.h"
 #include "renderer/shading/surface.h"
 #include "tests/support/tiny_world.h"
 #include "tests/support/white_lobe.h"

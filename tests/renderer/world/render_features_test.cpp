@@ -1,5 +1,6 @@
 #include "renderer/world/render_features.h"
 
+#include "renderer/lights/lighting.h"
 #include "tests/support/shape_world.h"
 #include "tests/support/tiny_image.h"
 #include "tests/support/tiny_world.h"
