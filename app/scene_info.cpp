@@ -29,20 +29,20 @@ Json bounds_json(const World& world) {
           {"max", vector_json(world.origin + glm::dvec3(world.bounds.hi))}};
 }
 
-/// Counts every light under its type. "ball" counts the point and spot lights with a size, "sun"
-/// the directional ones.
+/// Counts every light under its type, and those with a size by LightTraits::sized as well.
 Json lights_json(const Scene& scene) {
   const auto count = [&scene](auto wanted) {
     return std::count_if(scene.lights.begin(), scene.lights.end(), wanted);
   };
-  const auto count_shape = [&](LightShape shape) {
-    return count([shape](const Light& light) { return light_shape(light) == shape; });
-  };
   Json counts;
   for (const auto& [name, type] : light_type_names)
     counts[name] = count([wanted = type](const Light& light) { return light.type == wanted; });
-  counts["ball"] = count_shape(LightShape::ball);
-  counts["sun"] = count_shape(LightShape::sun);
+  for (const LightTraits& traits : light_traits) {
+    const auto alike = [&](const Light& light) {
+      return &traits_of(light_shape(light)) == &traits;
+    };
+    if (traits.sized) counts[traits.sized] = count(alike);
+  }
   return counts;
 }
 
@@ -192,7 +192,9 @@ std::string lights_line(const Json& lights, bool surroundings) {
   std::string text, sized;
   for (const auto& [type, count] : lights.items()) {
     if (count.get<int>() == 0) continue;
-    std::string& part = type == "ball" || type == "sun" ? sized : text;
+    const bool of_these = std::any_of(light_traits.begin(), light_traits.end(),
+                                      [&](const auto& t) { return t.sized && type == t.sized; });
+    std::string& part = of_these ? sized : text;
     part += fmt::format("{}{} {}", part.empty() ? "" : ", ", count.get<int>(), type);
   }
   if (text.empty())

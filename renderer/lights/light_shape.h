@@ -29,6 +29,7 @@ struct LightTraits {
   bool infinite = false;          ///< infinitely distant
   bool flat = false;              ///< in a plane, within position +- half_u +- half_v
   bool line = false;              ///< without width: no direction hits it
+  const char* sized = nullptr;    ///< its own name in `asos info`; null: counted by type alone
 
   /// Returns whether the light has a radiance, which highlights of narrow lobes show.
   [[nodiscard]] constexpr bool has_area() const { return extended && !line; }
@@ -38,10 +39,10 @@ struct LightTraits {
 
 /// One row per shape, in the enumeration's order.
 inline constexpr auto light_traits = std::to_array<LightTraits>({
-    {.feature = &RenderFeatures::punctual_lights},                                   // point
-    {.feature = &RenderFeatures::punctual_lights, .infinite = true},                 // distant
-    {.feature = &RenderFeatures::ball_lights, .extended = true},                     // ball
-    {.feature = &RenderFeatures::suns, .extended = true, .infinite = true},          // sun
+    {.feature = &RenderFeatures::punctual_lights},                                 // point
+    {.feature = &RenderFeatures::punctual_lights, .infinite = true},               // distant
+    {.feature = &RenderFeatures::ball_lights, .extended = true, .sized = "ball"},  // ball
+    {.feature = &RenderFeatures::suns, .extended = true, .infinite = true, .sized = "sun"},  // sun
     {.feature = &RenderFeatures::linear_lights, .extended = true, .line = true},     // segment
     {.feature = &RenderFeatures::linear_lights, .extended = true},                   // capsule
     {.feature = &RenderFeatures::rectangle_lights, .extended = true, .flat = true},  // rectangle
