@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -25,51 +24,16 @@ constexpr std::size_t most_marks = 64;
 
 using Outline = std::vector<glm::dvec3>;
 
-Outline circle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v) {
-  constexpr int corners = 48;
-  Outline outline;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / corners;
-    outline.push_back(middle + std::cos(angle) * u + std::sin(angle) * v);
-  }
-  return outline;
-}
-
-/// The silhouettes of a light with a surface; empty if the camera is inside of it.
-std::vector<Outline> silhouettes_of(const Light& light, const Camera& camera) {
+/// A light's shape as closed outlines; for a ball or tube, its silhouette, or none from inside.
+std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
+  if (!light.outlines.empty()) return light.outlines;
   const glm::dvec3 eye(camera.world_from_camera[3]), back(camera.world_from_camera[2]);
   const bool perspective = camera.type == Camera::Type::perspective;
-  return light_outlines(prepare_light(light), perspective ? std::optional(eye) : std::nullopt,
-                        -back);
-}
-
-/// A light's shape as closed outlines; for a sphere, its silhouette.
-std::vector<Outline> outlines_of(const Light& light, const Camera& camera) {
-  const glm::dvec3 right(camera.world_from_camera[0]), up(camera.world_from_camera[1]);
-  const glm::dvec3 p = light.position;
-  switch (light.type) {
-    case Light::Type::rectangle:
-      return {{p - light.half_u - light.half_v, p + light.half_u - light.half_v,
-               p + light.half_u + light.half_v, p - light.half_u + light.half_v}};
-    case Light::Type::polygon:
-      return light.outlines;
-    case Light::Type::linear:
-      if (auto tube = silhouettes_of(light, camera); !tube.empty()) return tube;
-      return {{p - light.half_u, p + light.half_u}};
-    case Light::Type::disk: {
-      const glm::dvec3 n = light.direction;
-      const glm::dvec3 axis = std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-      const glm::dvec3 u = glm::normalize(glm::cross(n, axis));
-      return {circle(p, light.radius * u, light.radius * glm::cross(n, u))};
-    }
-    case Light::Type::point:
-    case Light::Type::spot:
-      if (light.radius > 0.0) return {circle(p, light.radius * right, light.radius * up)};
-      break;
-    case Light::Type::directional:
-      break;
-  }
-  return {};
+  std::vector<Outline> outlines =
+      light_outlines(prepare_light(light), perspective ? std::optional(eye) : std::nullopt, -back);
+  if (outlines.empty() && light.half_u != glm::dvec3(0.0))
+    outlines.push_back({light.position - light.half_u, light.position + light.half_u});
+  return outlines;
 }
 
 /// Draws the outline and, for lights with a direction, a line along it of constant length on the
