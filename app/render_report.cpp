@@ -2,6 +2,7 @@
 
 #include "app/printed_json.h"
 #include "app/scene_info.h"
+#include "renderer/lights/light_kinds.h"
 #include "renderer/picture/picture_text.h"
 #include "renderer/picture/settings_json.h"
 #include "renderer/settings/names.h"

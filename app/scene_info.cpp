@@ -2,10 +2,10 @@
 
 #include "app/printed_json.h"
 #include "renderer/files/counted.h"
+#include "renderer/lights/light_kinds.h"
 #include "renderer/lights/prepared_light.h"
 #include "renderer/scene/environment_cube.h"
 #include "renderer/scene/scene_warnings.h"
-#include "renderer/settings/names.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>

@@ -34,17 +34,31 @@ glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 fallback) {
 }
 
 glm::dvec3 forward_of(const Light& light) {
-  return light.type == Light::Type::linear ? unit_or(light.half_u, {1, 0, 0})
-                                           : unit_or(light.direction, {0, 0, -1});
+  return row_of(light).line() ? unit_or(light.half_u, {1, 0, 0})
+                              : unit_or(light.direction, {0, 0, -1});
 }
 
 /// The side that defines the light's roll; zero for lights that are symmetric about their axis.
 glm::dvec3 side_of(const Light& light) {
-  if (light.type == Light::Type::rectangle) return light.half_u;
-  if (light.type == Light::Type::polygon && !light.outlines.empty() &&
-      !light.outlines.front().empty())
+  if (!light.outlines.empty() && !light.outlines.front().empty())
     return light.outlines.front().front() - light.position;
-  return glm::dvec3(0.0);
+  return row_of(light).rolls() ? light.half_u : glm::dvec3(0.0);
+}
+
+/// Returns the orientation towards `forward`, with the roll of `side`; zero: none.
+LightTurn turn_towards(glm::dvec3 forward, glm::dvec3 side) {
+  const double horizontal = std::hypot(forward.x, forward.z);
+  LightTurn turn;
+  turn.elevation_rad = std::atan2(forward.y, horizontal);
+  if (horizontal > 1e-9) {
+    turn.azimuth_rad = std::atan2(forward.x, forward.z);
+  } else if (side != glm::dvec3(0.0)) {
+    turn.azimuth_rad = std::atan2(-side.z, side.x);
+  }
+  const Basis level = basis_of(turn);
+  if (side != glm::dvec3(0.0))
+    turn.roll_rad = std::atan2(glm::dot(side, level.up), glm::dot(side, level.right));
+  return turn;
 }
 
 double outline_area(const std::vector<glm::dvec3>& outline, glm::dvec3 direction) {
@@ -62,28 +76,16 @@ double candela_per_unit(const Light& light, double distance) {
 
 /// Half of the light's extent; 0 for a light without a size.
 double half_size(const Light& light, double distance) {
-  switch (light.type) {
-    case Light::Type::directional:
-      return distance * std::tan(0.5 * light.angular_diameter_rad);
-    case Light::Type::linear:
-      return glm::length(light.half_u);
-    case Light::Type::rectangle:
-      return std::sqrt(glm::length(light.half_u) * glm::length(light.half_v));
-    case Light::Type::polygon:
-      return polygon_radius(light);
-    case Light::Type::point:
-    case Light::Type::spot:
-    case Light::Type::disk:
-      break;
+  const LightKindRow& row = row_of(light);
+  if (row.has_outlines()) return polygon_radius(light);
+  if (row.size.half) {
+    const double half = glm::length(light.*row.size.half);
+    return row.line() ? half : std::sqrt(half * glm::length(light.*row.second.half));
   }
-  return light.radius;
+  if (!row.size.value) return 0.0;
+  const double value = light.*row.size.value;
+  return row.size.is_angle() ? distance * std::tan(0.5 * value) : value;
 }
-
-/// The type of each kind, in LightKind's order.
-constexpr std::array types{Light::Type::point,       Light::Type::point,  Light::Type::spot,
-                           Light::Type::directional, Light::Type::linear, Light::Type::rectangle,
-                           Light::Type::disk,        Light::Type::polygon};
-static_assert(types.size() == light_kind_count);
 
 /// Corners in counter-clockwise order, starting at the right: the first corner defines a light's
 /// roll. Every other corner has the radius `inner`.
@@ -123,33 +125,17 @@ void lay_outlines(Light& light, const Basis& basis, PolygonShape shape, double r
 }
 
 /// `half`: half of the light's width. `distance`: from the light to the surface that it lights.
-void give_shape(Light& light, LightKind kind, const Basis& basis, double half, double distance) {
+void give_shape(Light& light, const LightKindRow& row, const Basis& basis, double half,
+                double distance) {
   light.radius = 0.0;
   light.angular_diameter_rad = 0.0;
   light.half_u = light.half_v = glm::dvec3(0.0);
   light.outlines.clear();
-  switch (kind) {
-    case LightKind::sphere:
-    case LightKind::spot:
-    case LightKind::disk:
-      light.radius = half;
-      break;
-    case LightKind::linear:
-      light.half_u = half * basis.right;
-      break;
-    case LightKind::rectangle:
-      light.half_u = half * basis.right;
-      light.half_v = half * basis.up;
-      break;
-    case LightKind::polygon:
-      lay_outlines(light, basis, PolygonShape::hexagon, half);
-      break;
-    case LightKind::directional:
-      light.angular_diameter_rad = 2.0 * std::atan(half / distance);
-      break;
-    case LightKind::point:
-      break;
-  }
+  if (row.has_outlines()) lay_outlines(light, basis, PolygonShape::hexagon, half);
+  if (row.size.value)
+    light.*row.size.value = row.size.is_angle() ? 2.0 * std::atan(half / distance) : half;
+  if (row.size.half) light.*row.size.half = half * basis.right;
+  if (row.second.half) light.*row.second.half = half * basis.up;
 }
 
 /// Returns the unshadowed irradiance of the light, made white, at `place` on a surface that faces
@@ -182,23 +168,14 @@ bool has_position(const Light& light) {
 }
 
 bool has_direction(const Light& light) {
-  return is_flat(light) || light.type == Light::Type::spot || !has_position(light);
+  return is_flat(light) || row_of(light).has_cone() || !has_position(light);
 }
 
 double area_of(const Light& light) {
-  if (light.type == Light::Type::disk) return pi * light.radius * light.radius;
-  if (light.type == Light::Type::rectangle)
-    return 4.0 * glm::length(light.half_u) * glm::length(light.half_v);
-  if (light.type != Light::Type::polygon) return 0.0;
+  if (light.outlines.empty()) return is_flat(light) ? prepare_light(light).area : 0.0;
   double area = 0.0;
   for (const auto& outline : light.outlines) area += outline_area(outline, light.direction);
   return std::abs(area);
-}
-
-LightKind kind_of(const Light& light) {
-  if (light.type == Light::Type::point)
-    return light.radius > 0.0 ? LightKind::sphere : LightKind::point;
-  return static_cast<LightKind>(std::find(types.begin(), types.end(), light.type) - types.begin());
 }
 
 Light as_kind(const Light& light, LightKind kind, const SceneSize& scene, bool has_place) {
@@ -213,12 +190,10 @@ Light as_kind(const Light& light, LightKind kind, const SceneSize& scene, bool h
   // A light that has a size keeps it.
   double half = half_size(light, distance);
   if (!(half > 0.0)) half = usual_half_size * distance;
-  other.type = types[static_cast<std::size_t>(kind)];
-  Light facing = other;
-  facing.type = Light::Type::spot;  // so that turn_of uses the direction alone
-  LightTurn turn = turn_of(facing);
-  if (light.type == Light::Type::rectangle) turn = turn_of(light);
-  give_shape(other, kind, basis_of(turn), half, distance);
+  other.type = row_of(kind).type;
+  const glm::dvec3 side = light.outlines.empty() ? side_of(light) : glm::dvec3(0.0);
+  const LightTurn turn = turn_towards(unit_or(other.direction, {0, 0, -1}), side);
+  give_shape(other, row_of(kind), basis_of(turn), half, distance);
   const double candela = static_cast<double>(light.intensity) * candela_per_unit(light, distance);
   other.intensity = static_cast<float>(candela / candela_per_unit(other, distance));
   // The candela match far from the light. Scale by the irradiance in the scene's centre, where the
@@ -232,32 +207,21 @@ Light as_kind(const Light& light, LightKind kind, const SceneSize& scene, bool h
 }
 
 LightTurn turn_of(const Light& light) {
-  const glm::dvec3 forward = forward_of(light), side = side_of(light);
-  const double horizontal = std::hypot(forward.x, forward.z);
-  LightTurn turn;
-  turn.elevation_rad = std::atan2(forward.y, horizontal);
-  if (horizontal > 1e-9) {
-    turn.azimuth_rad = std::atan2(forward.x, forward.z);
-  } else if (side != glm::dvec3(0.0)) {
-    turn.azimuth_rad = std::atan2(-side.z, side.x);
-  }
-  const Basis level = basis_of(turn);
-  if (side != glm::dvec3(0.0))
-    turn.roll_rad = std::atan2(glm::dot(side, level.up), glm::dot(side, level.right));
-  return turn;
+  return turn_towards(forward_of(light), side_of(light));
 }
 
 void turn_light(Light& light, const LightTurn& turn) {
   const Basis from = basis_of(turn_of(light)), to = basis_of(turn);
   const glm::dmat3 rotation = glm::dmat3(to.right, to.up, to.forward) *
                               glm::transpose(glm::dmat3(from.right, from.up, from.forward));
-  if (light.type == Light::Type::linear) {
+  const LightKindRow& row = row_of(light);
+  if (row.line()) {
     light.half_u = glm::length(light.half_u) * to.forward;
     return;
   }
   light.direction = to.forward;
   // Rebuild the sides from their lengths: repeated rotation would lose their right angle.
-  if (light.type == Light::Type::rectangle) {
+  if (row.second.half) {
     light.half_u = glm::length(light.half_u) * to.right;
     light.half_v = glm::length(light.half_v) * to.up;
   }
@@ -333,9 +297,7 @@ void tidy_light(Light& light) {
     light.color /= brightest;
     light.intensity *= brightest;
   }
-  if (light.type != Light::Type::polygon || light.outlines.empty() ||
-      light.outlines.front().empty())
-    return;
+  if (light.outlines.empty() || light.outlines.front().empty()) return;
   glm::dvec3 sum(0.0);
   for (const glm::dvec3& p : light.outlines.front()) sum += p;
   light.position = sum / static_cast<double>(light.outlines.front().size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "renderer/lights/light_kinds.h"
 #include "renderer/world/world.h"
 
 #include <glm/glm.hpp>
@@ -23,12 +24,6 @@ struct EditedLight {
   bool operator==(const EditedLight&) const = default;
 };
 
-/// Kinds of lights in the window: the types of Light, with a sphere light separate from a point
-/// light.
-enum class LightKind { point, sphere, spot, directional, linear, rectangle, disk, polygon };
-inline constexpr std::size_t light_kind_count = 8;
-
-[[nodiscard]] LightKind kind_of(const Light& light);
 [[nodiscard]] bool is_flat(const Light& light);
 [[nodiscard]] bool has_position(const Light& light);
 /// Returns whether the light is aimed; a line's own direction does not count.

@@ -1,7 +1,7 @@
 #include "renderer/picture/light_json.h"
 
+#include "renderer/lights/light_kinds.h"
 #include "renderer/picture/json_fields.h"
-#include "renderer/settings/names.h"
 
 namespace asos {
 namespace {

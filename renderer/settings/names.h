@@ -1,7 +1,6 @@
 #pragma once
 
 #include "renderer/film/split_map.h"
-#include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 
 #include <array>
@@ -62,16 +61,6 @@ inline constexpr std::array split_map_names{
     Named<SplitMapColours>{"cause", SplitMapColours::cause},
     Named<SplitMapColours>{"rays", SplitMapColours::rays},
     Named<SplitMapColours>{"time", SplitMapColours::time},
-};
-
-inline constexpr std::array light_type_names{
-    Named<Light::Type>{"point", Light::Type::point},
-    Named<Light::Type>{"spot", Light::Type::spot},
-    Named<Light::Type>{"directional", Light::Type::directional},
-    Named<Light::Type>{"linear", Light::Type::linear},
-    Named<Light::Type>{"rectangle", Light::Type::rectangle},
-    Named<Light::Type>{"disk", Light::Type::disk},
-    Named<Light::Type>{"polygon", Light::Type::polygon},
 };
 
 inline constexpr std::array background_names{

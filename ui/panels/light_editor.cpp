@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -9,17 +10,12 @@ namespace asos::ui {
 
 namespace {
 
-constexpr std::array kind_options{
-    Controls::Option{"Point", "Point light: sharp shadows. Unit: candela."},
-    Controls::Option{"Sphere", "Sphere light: soft shadows. Unit: candela."},
-    Controls::Option{"Spot", "Point or sphere light limited to a cone. Unit: candela."},
-    Controls::Option{"Directional", "Parallel light, such as the sun. Unit: lux."},
-    Controls::Option{"Line", "Line light. Unit: candela of the whole line, seen from the side."},
-    Controls::Option{"Rectangle", "Flat rectangle, one-sided. Unit: cd/m²."},
-    Controls::Option{"Disk", "Flat disk, one-sided. Unit: cd/m²."},
-    Controls::Option{"Polygon", "Flat polygon, one-sided, may have a hole. Unit: cd/m²."},
-};
-static_assert(kind_options.size() == light_kind_count);
+constexpr auto kind_options = [] {
+  std::array<Controls::Option, light_kind_count> options{};
+  for (std::size_t i = 0; i < light_kind_count; ++i)
+    options[i] = {light_kinds[i].name, light_kinds[i].tooltip};
+  return options;
+}();
 
 constexpr std::array outline_options{
     Controls::Option{"Triangle", "A regular triangle."},
@@ -68,7 +64,7 @@ class LightEditor {
     if (!controls_.options("Type", kind_options, chosen, {false, std::nullopt})) return;
     // A light that was not directional at first has kept its position.
     light_ = as_kind(light_, static_cast<LightKind>(chosen), around_.looked_at,
-                     edited_.original.type != Light::Type::directional);
+                     has_position(edited_.original));
     changed_ = true;
   }
 
@@ -91,20 +87,15 @@ class LightEditor {
     }
   }
 
-  /// Edits a length above 0. Returns whether it changed.
-  bool length(const char* name, const char* tooltip, double& value, double reset) {
-    const double least = 1e-5 * around_.scene.radius, most = 1e3 * around_.scene.radius;
+  /// Edits a length. Returns whether it changed.
+  bool length(const LightSize& size, double& value, double reset) {
+    const double least = size.may_be_zero ? 0.0 : 1e-5 * around_.scene.radius;
+    const double most = 1e3 * around_.scene.radius;
     const bool edited = controls_.number(
-        name, tooltip, value, {{least, most, original(reset)}, 1e-4 * around_.scene.radius, true},
-        metres);
+        size.name, size.tooltip, value,
+        {{least, most, original(reset)}, 1e-4 * around_.scene.radius, true}, metres);
     changed_ |= edited;
     return edited;
-  }
-
-  void half_side(const char* name, const char* tooltip, glm::dvec3& half, glm::dvec3 reset) {
-    double side = 2.0 * glm::length(half);
-    if (side > 0.0 && length(name, tooltip, side, 2.0 * glm::length(reset)))
-      half *= side / (2.0 * glm::length(half));
   }
 
   bool degrees(const char* name, const char* tooltip, double& angle_rad,
@@ -114,43 +105,34 @@ class LightEditor {
     return edited;
   }
 
-  void size() {
+  void edit(const LightSize& size) {
     const Light& old = edited_.original;
-    switch (kind_of(light_)) {
-      case LightKind::point:
-        break;
-      case LightKind::sphere:
-      case LightKind::disk:
-        length("Radius",
-               "Radius in metres. Larger lights cast softer shadows. Ctrl+click to type a value.",
-               light_.radius, old.radius);
-        break;
-      case LightKind::linear:
-        half_side("Length", "Length in metres. Ctrl+click to type a value.", light_.half_u,
-                  old.half_u);
-        radius_or_none();
-        break;
-      case LightKind::rectangle:
-        half_side("Width", "Side of the rectangle in metres. Ctrl+click to type a value.",
-                  light_.half_u, old.half_u);
-        half_side("Height", "Side of the rectangle in metres. Ctrl+click to type a value.",
-                  light_.half_v, old.half_v);
-        break;
-      case LightKind::polygon:
-        polygon();
-        break;
-      case LightKind::spot:
-        cone();
-        break;
-      case LightKind::directional:
-        degrees("Sun's angle",
-                "Apparent size of the sun in degrees. 0: sharp shadows. The real sun has 0.5.",
-                light_.angular_diameter_rad, {0.0, 90.0, 0.0});
-        break;
+    if (size.half) {
+      glm::dvec3& half = light_.*size.half;
+      double side = 2.0 * glm::length(half);
+      if (side > 0.0 && length(size, side, 2.0 * glm::length(old.*size.half)))
+        half *= side / (2.0 * glm::length(half));
+    } else if (size.is_angle()) {
+      degrees(size.name, size.tooltip, light_.*size.value, {size.least, size.most, size.initial});
+    } else if (size.value) {
+      length(size, light_.*size.value, old.*size.value);
+    } else if (size.name) {
+      polygon(size);
     }
   }
 
-  void polygon() {
+  void size() {
+    const LightKindRow& row = row_of(light_);
+    edit(row.size);
+    edit(row.second);
+    if (!row.has_cone()) return;
+    light_.inner_cone_rad = std::min(light_.inner_cone_rad, light_.outer_cone_rad);
+    degrees("Inner cone",
+            "Half angle of full brightness in degrees. The light fades from there to the cone.",
+            light_.inner_cone_rad, {0.0, glm::degrees(light_.outer_cone_rad), 0.0});
+  }
+
+  void polygon(const LightSize& size) {
     const std::optional<PolygonShape> now = polygon_shape(light_);
     int shape = now ? static_cast<int>(*now) : -1;
     if (controls_.options("Shape", outline_options, shape)) {
@@ -158,30 +140,8 @@ class LightEditor {
       changed_ = true;
     }
     double radius = polygon_radius(light_);
-    if (radius > 0.0 &&
-        length("Radius",
-               "Distance from centre to farthest corner, in metres. Ctrl+click to type a value.",
-               radius, polygon_radius(edited_.original)))
+    if (radius > 0.0 && length(size, radius, polygon_radius(edited_.original)))
       set_polygon_radius(light_, radius);
-  }
-
-  void radius_or_none() {
-    changed_ |= controls_.number(
-        "Radius", "Radius in metres. 0: sharp shadows. Ctrl+click to type a value.", light_.radius,
-        {{0.0, 1e3 * around_.scene.radius, original(edited_.original.radius)},
-         1e-4 * around_.scene.radius,
-         true},
-        metres);
-  }
-
-  void cone() {
-    radius_or_none();
-    if (degrees("Cone", "Half angle of the cone in degrees.", light_.outer_cone_rad,
-                {0.1, 89.9, 45.0}))
-      light_.inner_cone_rad = std::min(light_.inner_cone_rad, light_.outer_cone_rad);
-    degrees("Inner cone",
-            "Half angle of full brightness in degrees. The light fades from there to the cone.",
-            light_.inner_cone_rad, {0.0, glm::degrees(light_.outer_cone_rad), 0.0});
   }
 
   void place() {
@@ -197,8 +157,8 @@ class LightEditor {
   }
 
   void turn() {
-    const LightKind kind = kind_of(light_);
-    if (kind == LightKind::point || kind == LightKind::sphere) return;
+    const LightKindRow& row = row_of(light_);
+    if (!has_direction(light_) && !row.line()) return;
     LightTurn turn = turn_of(light_);
     const LightTurn old = same_kind_ ? turn_of(edited_.original) : LightTurn{};
     bool turned = degrees(
@@ -207,7 +167,7 @@ class LightEditor {
     turned |=
         degrees("Elevation", "Direction above the horizon in degrees. -90 points straight down.",
                 turn.elevation_rad, {-90.0, 90.0, glm::degrees(old.elevation_rad)});
-    if (kind == LightKind::rectangle || kind == LightKind::polygon)
+    if (row.rolls())
       turned |= degrees("Roll", "Rotation of the shape in its plane, in degrees.", turn.roll_rad,
                         {-180.0, 180.0, glm::degrees(old.roll_rad)});
     if (turned) turn_light(light_, turn);
@@ -231,10 +191,6 @@ class LightEditor {
 };
 
 }  // namespace
-
-const char* light_kind_name(LightKind kind) {
-  return kind_options[static_cast<std::size_t>(kind)].name;
-}
 
 bool edit_light(Controls& controls, EditedLight& edited, const LightSurroundings& around) {
   return LightEditor(controls, edited, around).run();

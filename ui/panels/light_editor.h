@@ -7,8 +7,6 @@
 
 namespace asos::ui {
 
-[[nodiscard]] const char* light_kind_name(LightKind kind);
-
 /// Context for editing a light.
 struct LightSurroundings {
   SceneSize scene;

@@ -71,7 +71,7 @@ void light_row(Controls& controls, SceneEdits& edits, LightChoice& choice, std::
   const EditedLight& edited = edits.lights()[i];
   ImGui::PushID(static_cast<int>(i));
   const std::string number = std::to_string(i + 1), name = name_of(edited, i);
-  const char* kind = light_kind_name(kind_of(edited.light));
+  const char* kind = row_of(edited.light).name;
   bool on = edited.on;
   const bool stands_for_surface = edited.light.own_part >= 0;
   if (ImGui::Checkbox("##on", &on)) edits.edit_lights()[i].on = on;

@@ -1,5 +1,5 @@
 #include "renderer/comparison/method.h"
-#include "renderer/settings/names.h"
+#include "renderer/lights/light_kinds.h"
 #include "renderer/world/ground.h"
 #include "ui/panels/panels.h"
 

@@ -1,6 +1,6 @@
 #include "renderer/comparison/method.h"
 #include "renderer/files/counted.h"
-#include "renderer/settings/names.h"
+#include "renderer/lights/light_kinds.h"
 #include "ui/panels/overlays.h"
 #include "ui/panels/panels.h"
 
