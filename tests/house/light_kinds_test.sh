@@ -6,21 +6,30 @@ export LC_ALL=C
 cd -- "$1"
 most_files=8
 only_switch=renderer/lights/light_shape.h
-kinds='point|spot|directional|distant|ball|sphere|sun|linear|segment|rectangle|polygon|disk'
-name="(LightShape|Light::Type|LightType|LightKind)::($kinds)([^A-Za-z_]|\$)"
+kinds='point|spot|directional|distant|ball|sphere|sun|linear|segment|capsule|rectangle|polygon|disk'
+types='LightShape|Light::Type|LightType|LightKind'
+name="($types)::($kinds)([^A-Za-z_]|\$)"
 status=0
 fail() {
   status=1
   printf '%s\n' "$@"
 }
 
-# switches FILE...: "FILE LINE KIND" for each switch whose cases name a kind, and for its default.
-switches() {
-  awk -v name="$name" '
-    FNR == 1 { depth = 0; top = 0 }
+# uses FILE...: "FILE LINE type" or "shape" for each switch whose cases name a kind, "default" for
+# its default, "names" for each other line that names a kind. Aliases of the types are replaced.
+uses() {
+  awk -v name="$name" -v types="$types" '
+    FNR == 1 { depth = 0; top = 0; split("", alias) }
     {
       line = $0
       sub(/\/\/.*/, "", line)
+      if (line ~ ("using enum .*(" types ")")) print FILENAME, FNR, "names"
+      if (match(line, /using [A-Za-z_]+ = /) && line ~ ("(" types ");")) {
+        split(substr(line, RSTART), word, /[ ;]/)
+        alias[word[2]] = word[4]
+      }
+      for (short in alias) gsub("(^|[^:A-Za-z_])" short "::", " " alias[short] "::", line)
+      if (line !~ /case / && line ~ name) print FILENAME, FNR, "names"
       if (line ~ /(^|[^A-Za-z_])switch *\(/) {
         opened[++top] = depth; at[top] = FNR; named[top] = 0; defaulted[top] = 0
       }
@@ -40,6 +49,8 @@ work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 cat >"$work/sample.cpp" <<'SAMPLE'
 int f(Light light) {
+  using Kind = asos::Light::Type;
+  if (light.type == Kind::disk || light.type == Kind::diskette) return 0;
   switch (light.type) {  // the first
     case Light::Type::point: {
       return 1;
@@ -53,21 +64,27 @@ int f(Light light) {
     default:
       break;
   }
+  switch (light.type) {
+    case Kind::disk:
+      return 3;
+  }
   switch (light.shape) {
-    case LightShape::ball:
+    case LightShape::capsule:
       return 3;
   }
 }
 SAMPLE
-found=$(switches "$work/sample.cpp" | sed "s:^.* \([0-9]* \):\1:")
-expected='2 type
-6 default
-15 shape'
+found=$(uses "$work/sample.cpp" | sed "s:^.* \([0-9]* \):\1:")
+expected='3 names
+4 type
+8 default
+17 type
+21 shape'
 [[ $found == "$expected" ]] ||
   fail 'the search for switches is wrong; expected and found:' "$expected" "$found"
 
 mapfile -t sources < <(find app renderer ui include -name '*.h' -o -name '*.cpp' | sort)
-all=$(switches "${sources[@]}")
+all=$(uses "${sources[@]}")
 defaults=$(grep ' default$' <<<"$all" || true)
 [[ -z $defaults ]] ||
   fail 'a switch over kinds of lights has a default, which hides a kind that is missing:' "$defaults"
@@ -76,8 +93,7 @@ shapes=$(grep ' shape$' <<<"$all" | cut -d' ' -f1 | sort -u || true)
   fail "use with_shape instead of a switch over LightShape; the only one is in $only_switch:" \
     "${shapes:-none}"
 
-mapfile -t naming < <(grep -lE "$name" "${sources[@]}" |
-  grep -vE '^renderer/(lights|gltf)/' || true)
+mapfile -t naming < <(cut -d' ' -f1 <<<"$all" | sort -u | grep -vE '^renderer/(lights|gltf)/' || true)
 ((${#naming[@]} <= most_files)) ||
   fail "${#naming[@]} files outside lights/ and gltf/ name a kind of light, of at most $most_files:" \
     "${naming[@]}"
