@@ -11,18 +11,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
-
 template <LightShape shape>
 HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes& receiver,
                                 const LightArcs& arc, const LightPointBatch& places,
                                 std::size_t i) {
-  const Vectors middle =
-      (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
+  const Vectors middle = light.position - receiver.position + light.position_rest;
   if constexpr (by_solid_angle<shape>) {
     const auto u = centred(&places.u[i]), v = centred(&places.v[i]);
-    return area_sample(
-        light, receiver,
-        middle + scaled(u, all_lanes(light.half_u)) + scaled(v, all_lanes(light.half_v)));
+    return area_sample(light, receiver, middle + u * light.half_u + v * light.half_v);
   } else {
     return light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
   }
@@ -31,29 +27,25 @@ HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes
 template <LightShape shape>
 void aim_at(const ShadingPoints& points, const LightConstants& light, const LightArcs& arc,
             const LightPointBatch& places, RayWeighting by, ShadowRayBatch& rays) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < points.count; i += Lane::count()) {
     const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
                                  loaded(points.normal, i)};
     const SampleLanes sample = place_on<shape>(light, receiver, arc, places, i);
-    const auto reached = hn::And(hn::FirstN(d, points.count - i), hn::Gt(sample.form, zero));
-    if (hn::AllFalse(d, reached)) continue;
+    const auto reached = LaneMask::first(points.count - i) && sample.form > 0.0f;
+    if (none(reached)) continue;
     auto weight = sample.form;
-    auto kept = hn::And(reached, hn::Lt(weight, hn::Inf(d)));
+    auto kept = reached && weight < infinity;
     if (by == RayWeighting::radiance) {
-      const ShineLanes shown{sample.direction, hn::Div(all_lanes(1.0f), sample.distance),
-                             all_lanes(1.0f)};
+      const ShineLanes shown{sample.direction, 1.0f / sample.distance, 1.0f};
       const UnshadowedLanes found = carried_from(
           points, light, shown, {sample.form, sample.form, sample.form}, reached, i, rays);
-      weight = hn::Mul(hn::Add(hn::Add(found.carried.x, found.carried.y), found.carried.z),
-                       all_lanes(1.0f / 3.0f));
-      kept = hn::And(found.kept, hn::Gt(weight, zero));
+      weight = (found.carried.x + found.carried.y + found.carried.z) * (1.0f / 3.0f);
+      kept = found.kept && weight > 0.0f;
     }
-    if (hn::AllFalse(d, kept)) continue;
+    if (none(kept)) continue;
     append(ray_to(points, receiver, sample, i), sample.direction, kept, rays);
-    hn::CompressStore(weight, kept, d, &rays.carried[0][rays.count]);
-    rays.count += hn::CountTrue(d, kept);
+    weight.store_if(kept, &rays.carried[0][rays.count]);
+    rays.count += count(kept);
   }
 }
 
@@ -75,7 +67,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
-
 HWY_EXPORT(aim);
 
 void aim_batch(const ShadingPoints& points, const LightConstants& light,

@@ -18,49 +18,40 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
-
 /// Converts 32-bit binary fractions to 0 to 1, exactly.
-HWY_INLINE DoubleLanes fractions(const std::uint32_t* from) {
-  const DoubleTag d;
+HWY_INLINE DoubleLane fractions(const std::uint32_t* from) {
   const hn::Rebind<std::int32_t, DoubleTag> di;
   const auto bits = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(from));
   const auto centred = hn::Xor(bits, hn::Set(di, std::numeric_limits<std::int32_t>::min()));
-  return hn::Add(hn::Mul(hn::PromoteTo(d, centred), hn::Set(d, 1.0 / 4294967296.0)),
-                 hn::Set(d, 0.5));
+  return DoubleLane(hn::PromoteTo(DoubleTag(), centred)) * (1.0 / 4294967296.0) + 0.5;
 }
-HWY_INLINE Vec3<DoubleLanes> to_middle(const ShadingPoints& points, std::size_t i,
-                                       glm::dvec3 middle) {
-  return broadcast(DoubleTag(), middle) - doubles(points.position, i);
+HWY_INLINE DoubleVectors to_middle(const ShadingPoints& points, std::size_t i, glm::dvec3 middle) {
+  return DoubleVectors(middle) - doubles(points.position, i);
 }
 
 /// Returns the sine of the angle in 0 to pi whose cosine is c.
-HWY_INLINE DoubleLanes other_side(DoubleLanes c) {
-  const DoubleTag d;
-  const auto one = hn::Set(d, 1.0);
-  return hn::Sqrt(hn::Max(hn::Zero(d), hn::Mul(hn::Sub(one, c), hn::Add(one, c))));
+HWY_INLINE DoubleLane other_side(DoubleLane c) {
+  return sqrt(max(0.0, (1.0 - c) * (1.0 + c)));
 }
 
 /// Returns sine and cosine of the sum of two angles.
-HWY_INLINE SinCos<DoubleLanes> sum(const SinCos<DoubleLanes>& a, const SinCos<DoubleLanes>& b) {
-  return {hn::Add(hn::Mul(a.sin, b.cos), hn::Mul(a.cos, b.sin)),
-          hn::Sub(hn::Mul(a.cos, b.cos), hn::Mul(a.sin, b.sin))};
+HWY_INLINE SinCos<DoubleLane> sum(const SinCos<DoubleLane>& a, const SinCos<DoubleLane>& b) {
+  return {a.sin * b.cos + a.cos * b.sin, a.cos * b.cos - a.sin * b.sin};
 }
 
 /// Clips the interval from `low` to `high` to where the line slope t + rest is positive, unless
 /// nothing would be left.
-HWY_INLINE void keep_positive(DoubleLanes slope, DoubleLanes rest, DoubleLanes& low,
-                              DoubleLanes& high) {
-  const DoubleTag d;
-  const auto zero = hn::Zero(d);
+HWY_INLINE void keep_positive(DoubleLane slope, DoubleLane rest, DoubleLane& low,
+                              DoubleLane& high) {
   // Most intervals lie on one side of the line's root.
-  const auto low_above = hn::Gt(hn::Add(hn::Mul(slope, low), rest), zero);
-  const auto high_above = hn::Gt(hn::Add(hn::Mul(slope, high), rest), zero);
-  if (hn::AllFalse(d, hn::Xor(low_above, high_above))) return;
-  const auto end = hn::Neg(hn::Div(rest, slope));
-  const auto within = hn::And(hn::Gt(end, low), hn::Lt(end, high));
-  const auto rises = hn::Gt(slope, zero);
-  low = hn::IfThenElse(hn::And(within, rises), end, low);
-  high = hn::IfThenElse(hn::AndNot(rises, within), end, high);
+  const auto low_above = slope * low + rest > 0.0;
+  const auto high_above = slope * high + rest > 0.0;
+  if (none(low_above != high_above)) return;
+  const auto end = -(rest / slope);
+  const auto within = end > low && end < high;
+  const auto rises = slope > 0.0;
+  low = selected(within && rises, end, low);
+  high = selected(within && !rises, end, high);
 }
 
 /// The formulas of SphericalRectangle, with sums of angles as products of unit complex numbers.
@@ -71,57 +62,55 @@ inline void rectangle_arcs(const ShadingPoints& points, const PreparedLight& lig
                            LightArcs& found) {
   if (found.known) return;
   found.known = true;
-  const DoubleTag d;
-  const auto u_length = hn::Set(d, glm::length(light.half_u));
-  const auto v_length = hn::Set(d, glm::length(light.half_v));
+  const auto u_length = glm::length(light.half_u);
+  const auto v_length = glm::length(light.half_v);
   const glm::dvec3 u_axis = glm::normalize(light.half_u);
   const glm::dvec3 v_axis = glm::normalize(light.half_v);
-  const auto x_axis = broadcast(d, u_axis), y_axis = broadcast(d, v_axis);
-  const auto z_axis = broadcast(d, glm::cross(u_axis, v_axis));
-  const auto towards = broadcast(d, light.towards);
-  const auto thickness = hn::Set(d, light.thickness);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    const Vec3<DoubleLanes> middle = to_middle(points, i, light.position);
-    const auto height = hn::Neg(dot(middle, towards));
-    const auto seen = hn::Gt(light.two_sided ? hn::Abs(height) : height, thickness);
+  const auto x_axis = DoubleVectors(u_axis), y_axis = DoubleVectors(v_axis);
+  const auto z_axis = DoubleVectors(glm::cross(u_axis, v_axis));
+  const auto towards = DoubleVectors(light.towards);
+  const auto thickness = light.thickness;
+  for (std::size_t i = 0; i < points.count; i += DoubleLane::count()) {
+    const DoubleVectors middle = to_middle(points, i, light.position);
+    const auto height = -dot(middle, towards);
+    const auto seen = (light.two_sided ? abs(height) : height) > thickness;
     const auto x = dot(middle, x_axis), y = dot(middle, y_axis), z = dot(middle, z_axis);
-    auto x0 = hn::Sub(x, u_length), x1 = hn::Add(x, u_length);
-    auto y0 = hn::Sub(y, v_length), y1 = hn::Add(y, v_length);
+    auto x0 = x - u_length, x1 = x + u_length;
+    auto y0 = y - v_length, y1 = y + v_length;
     for (const ShadingPoints::Vectors* horizon : {&points.geometric, &points.normal}) {
-      const Vec3<DoubleLanes> normal = doubles(*horizon, i);
+      const DoubleVectors normal = doubles(*horizon, i);
       const auto nx = dot(normal, x_axis), ny = dot(normal, y_axis);
-      const auto by_z = hn::Mul(z, dot(normal, z_axis));
-      keep_positive(ny, hn::Add(by_z, hn::Max(hn::Mul(x0, nx), hn::Mul(x1, nx))), y0, y1);
-      keep_positive(nx, hn::Add(by_z, hn::Max(hn::Mul(y0, ny), hn::Mul(y1, ny))), x0, x1);
+      const auto by_z = z * dot(normal, z_axis);
+      keep_positive(ny, by_z + max(x0 * nx, x1 * nx), y0, y1);
+      keep_positive(nx, by_z + max(y0 * ny, y1 * ny), x0, x1);
     }
     store_floats(y0, &found.third[i]);
     store_floats(y1, &found.fourth[i]);
 
     // Compute the z of the unit normals of the planes through the point and a side, and the angles
     // between neighbouring planes.
-    const auto z2 = hn::Mul(z, z);
-    const auto n0 = hn::Neg(hn::Div(y0, hn::Sqrt(hn::Add(z2, hn::Mul(y0, y0)))));
-    const auto n1 = hn::Div(x1, hn::Sqrt(hn::Add(z2, hn::Mul(x1, x1))));
-    const auto n2 = hn::Div(y1, hn::Sqrt(hn::Add(z2, hn::Mul(y1, y1))));
-    const auto n3 = hn::Neg(hn::Div(x0, hn::Sqrt(hn::Add(z2, hn::Mul(x0, x0)))));
-    const auto c0 = hn::Neg(hn::Mul(n0, n1)), c1 = hn::Neg(hn::Mul(n1, n2));
-    const auto c2 = hn::Neg(hn::Mul(n2, n3)), c3 = hn::Neg(hn::Mul(n3, n0));
+    const auto z2 = z * z;
+    const auto n0 = -(y0 / sqrt(z2 + y0 * y0));
+    const auto n1 = x1 / sqrt(z2 + x1 * x1);
+    const auto n2 = y1 / sqrt(z2 + y1 * y1);
+    const auto n3 = -(x0 / sqrt(z2 + x0 * x0));
+    const auto c0 = -(n0 * n1), c1 = -(n1 * n2);
+    const auto c2 = -(n2 * n3), c3 = -(n3 * n0);
     const auto first = sum({other_side(c0), c0}, {other_side(c1), c1});
     const auto second = sum({other_side(c2), c2}, {other_side(c3), c3});
     const auto all = sum(first, second);  // the solid angle plus 2 pi
-    auto solid_angle = arc_tangent(d, all.sin, all.cos);
-    const auto beyond_half = hn::Lt(solid_angle, hn::Set(d, -1e-12));
-    solid_angle = hn::IfThenElse(
-        beyond_half, hn::Add(solid_angle, hn::Set(d, 2.0 * std::numbers::pi)), solid_angle);
+    auto solid_angle = arc_tangent(all.sin, all.cos);
+    const auto beyond_half = solid_angle < -1e-12;
+    solid_angle = selected(beyond_half, solid_angle + 2.0 * std::numbers::pi, solid_angle);
     // Smaller solid angles have too few digits, and sampling by area is as good at that distance.
-    const auto by_angle = hn::And(seen, hn::Gt(solid_angle, hn::Set(d, 1e-5)));
-    solid_angle = hn::IfThenElseZero(by_angle, solid_angle);
+    const auto by_angle = seen && solid_angle > 1e-5;
+    solid_angle = where(by_angle, solid_angle);
     store_floats(solid_angle, &found.first[i]);
-    hn::Store(solid_angle, d, &found.solid_angle[i]);
-    hn::Store(hn::Neg(second.sin), d, &found.sine[i]);
-    hn::Store(second.cos, d, &found.cosine[i]);
-    hn::Store(n0, d, &found.normal_0[i]);
-    hn::Store(n2, d, &found.normal_2[i]);
+    solid_angle.store(&found.solid_angle[i]);
+    (-second.sin).store(&found.sine[i]);
+    second.cos.store(&found.cosine[i]);
+    n0.store(&found.normal_0[i]);
+    n2.store(&found.normal_2[i]);
   }
 }
 
@@ -129,21 +118,21 @@ inline void rectangle_arcs(const ShadingPoints& points, const PreparedLight& lig
 inline void rectangle_places(const ShadingPoints& points, const PreparedLight& light,
                              const LightPointBatch& places, LightArcs& found) {
   rectangle_arcs(points, light, found);
-  const DoubleTag d;
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    const auto solid_angle = hn::Load(d, &found.solid_angle[i]);
-    if (hn::AllFalse(d, hn::Gt(solid_angle, zero))) continue;
-    const auto n0 = hn::Load(d, &found.normal_0[i]), n2 = hn::Load(d, &found.normal_2[i]);
+  for (std::size_t i = 0; i < points.count; i += DoubleLane::count()) {
+    const auto solid_angle = DoubleLane::loaded(&found.solid_angle[i]);
+    if (none(solid_angle > 0.0)) continue;
+    const auto n0 = DoubleLane::loaded(&found.normal_0[i]),
+               n2 = DoubleLane::loaded(&found.normal_2[i]);
     const auto u = fractions(&places.u[i]);
-    const auto turn = sin_cos(d, hn::Mul(u, solid_angle));
-    const auto angle = sum(turn, {hn::Load(d, &found.sine[i]), hn::Load(d, &found.cosine[i])});
-    const auto quotient = hn::Div(hn::Sub(hn::Mul(angle.cos, n0), n2), angle.sin);
+    const auto turn = sin_cos(u * solid_angle);
+    const auto angle =
+        sum(turn, {DoubleLane::loaded(&found.sine[i]), DoubleLane::loaded(&found.cosine[i])});
+    const auto quotient = (angle.cos * n0 - n2) / angle.sin;
     // At the end of a rectangle that fills half of all directions, the quotient would be 0 / 0.
-    const auto at_end = hn::IfThenElse(hn::Lt(u, hn::Set(d, 0.5)), hn::Set(d, -0.0), zero);
-    const auto f = hn::IfThenElse(hn::Eq(angle.sin, zero), at_end, quotient);
-    const auto slope2 = hn::Sub(hn::Mul(f, f), hn::Mul(hn::Sub(one, n0), hn::Add(one, n0)));
-    store_floats(hn::CopySign(hn::Max(slope2, hn::Set(d, 1e-30)), f), &found.second[i]);
+    const auto at_end = where(u < 0.5, -0.0);
+    const auto f = selected(angle.sin == 0.0, at_end, quotient);
+    const auto slope2 = f * f - (1.0 - n0) * (1.0 + n0);
+    store_floats(copysign(max(slope2, 1e-30), f), &found.second[i]);
   }
 }
 
@@ -152,33 +141,31 @@ inline void rectangle_places(const ShadingPoints& points, const PreparedLight& l
 /// Third: the perpendicular's length.
 inline void segment_places(const ShadingPoints& points, const PreparedLight& light,
                            const LightPointBatch& places, LightArcs& found) {
-  const DoubleTag d;
   const double half = glm::length(light.half_u);
-  const auto length = hn::Set(d, 2.0 * half);
-  const auto along = broadcast(d, light.half_u / half);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    const Vec3<DoubleLanes> middle = to_middle(points, i, light.position);
+  const auto length = 2.0 * half;
+  const auto along = DoubleVectors(light.half_u / half);
+  for (std::size_t i = 0; i < points.count; i += DoubleLane::count()) {
+    const DoubleVectors middle = to_middle(points, i, light.position);
     const auto ahead = dot(middle, along);
-    const auto s0 = hn::Sub(ahead, hn::Set(d, half));
-    const auto s1 = hn::Add(s0, length);
-    const Vec3<DoubleLanes> foot = middle - scaled(ahead, along);
+    const auto s0 = ahead - half;
+    const auto s1 = s0 + length;
+    const DoubleVectors foot = middle - ahead * along;
     const auto height2 = dot(foot, foot);
-    const auto height = hn::Sqrt(height2);
-    const auto angle = arc_tangent(d, hn::Mul(height, length), hn::Add(height2, hn::Mul(s0, s1)));
+    const auto height = sqrt(height2);
+    const auto angle = arc_tangent(height * length, height2 + s0 * s1);
     const auto u = fractions(&places.u[i]);
-    const auto turn = sin_cos(d, hn::Mul(u, angle));
+    const auto turn = sin_cos(u * angle);
     // The place is tan(atan(s0 / height) + u angle) height.
-    const auto up = hn::Add(hn::Mul(s0, turn.cos), hn::Mul(height, turn.sin));
-    const auto over = hn::Sub(hn::Mul(height, turn.cos), hn::Mul(s0, turn.sin));
-    const auto turned = clamped(hn::Mul(height, hn::Div(up, over)), s0, s1);
-    const auto wide = hn::Gt(angle, hn::Set(d, 1e-4));
-    const auto s = hn::IfThenElse(wide, turned, hn::Add(s0, hn::Mul(length, u)));
+    const auto up = s0 * turn.cos + height * turn.sin;
+    const auto over = height * turn.cos - s0 * turn.sin;
+    const auto turned = clamp(height * (up / over), s0, s1);
+    const auto wide = angle > 1e-4;
+    const auto s = selected(wide, turned, s0 + length * u);
     // A line contributes nothing to a point on it.
-    const auto apart = hn::Gt(height, hn::Zero(d));
-    const auto by_angle =
-        hn::IfThenElseZero(apart, hn::Mul(hn::Div(angle, height), hn::Add(height2, hn::Mul(s, s))));
+    const auto apart = height > 0.0;
+    const auto by_angle = where(apart, angle / height * (height2 + s * s));
     store_floats(s, &found.first[i]);
-    store_floats(hn::IfThenElse(wide, by_angle, length), &found.second[i]);
+    store_floats(selected(wide, by_angle, length), &found.second[i]);
     store_floats(height, &found.third[i]);
   }
 }

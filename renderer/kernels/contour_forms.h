@@ -14,110 +14,102 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
-
 /// One directed side of Lambert's contour sum, as contour_side.
-HWY_INLINE DoubleLanes contour_side(const Vec3<DoubleLanes>& a, const Vec3<DoubleLanes>& b,
-                                    const Vec3<DoubleLanes>& normal) {
-  const DoubleTag d;
-  const Vec3<DoubleLanes> across = cross(b - a, a);
+HWY_INLINE DoubleLane contour_side(const DoubleVectors& a, const DoubleVectors& b,
+                                   const DoubleVectors& normal) {
+  const DoubleVectors across = cross(b - a, a);
   const auto sine2 = dot(across, across);
-  const auto some = hn::Gt(sine2, hn::Zero(d));
-  const auto sine = hn::Sqrt(hn::IfThenElse(some, sine2, hn::Set(d, 1.0)));
-  const auto angle = arc_tangent(d, sine, dot(a, b));
-  const auto side = hn::Mul(hn::Mul(hn::Set(d, 0.5), angle), hn::Div(dot(across, normal), sine));
-  return hn::IfThenElseZero(some, side);
+  const auto some = sine2 > 0.0f;
+  const auto sine = sqrt(selected(some, sine2, 1.0));
+  const auto angle = arc_tangent(sine, dot(a, b));
+  const auto side = 0.5 * angle * (dot(across, normal) / sine);
+  return where(some, side);
 }
 
 /// A directed segment; lanes without one are marked.
 struct SegmentLanes {
-  Vec3<DoubleLanes> begin, end;
-  hn::Mask<DoubleTag> some;
+  DoubleVectors begin, end;
+  MaskOf<DoubleTag> some;
 };
 
 /// Clips one side of a convex outline to the space above a plane. The outline leaves that space at
 /// one point and enters it at another; `closing` becomes the segment in the plane that joins them.
-HWY_INLINE SegmentLanes clipped(const SegmentLanes& side, const Vec3<DoubleLanes>& up,
+HWY_INLINE SegmentLanes clipped(const SegmentLanes& side, const DoubleVectors& up,
                                 SegmentLanes& closing) {
-  const DoubleTag d;
-  const auto zero = hn::Zero(d);
   const auto begin = dot(side.begin, up), end = dot(side.end, up);
-  const auto begin_above = hn::Gt(begin, zero), end_above = hn::Gt(end, zero);
-  const auto crosses = hn::And(side.some, hn::Xor(begin_above, end_above));
-  const auto fall = hn::IfThenElse(crosses, hn::Sub(begin, end), hn::Set(d, 1.0));
-  const auto met = side.begin + scaled(hn::Div(begin, fall), side.end - side.begin);
-  const auto leaves = hn::And(crosses, begin_above);
-  closing.begin = select(leaves, met, closing.begin);
-  closing.end = select(hn::AndNot(leaves, crosses), met, closing.end);
-  closing.some = hn::Or(closing.some, crosses);
-  return {select(begin_above, side.begin, met), select(end_above, side.end, met),
-          hn::And(side.some, hn::Or(begin_above, end_above))};
+  const auto begin_above = begin > 0.0, end_above = end > 0.0;
+  const auto crosses = side.some && begin_above != end_above;
+  const auto fall = selected(crosses, begin - end, 1.0);
+  const auto met = side.begin + begin / fall * (side.end - side.begin);
+  const auto leaves = crosses && begin_above;
+  closing.begin = selected(leaves, met, closing.begin);
+  closing.end = selected(crosses && !leaves, met, closing.end);
+  closing.some = closing.some || crosses;
+  return {selected(begin_above, side.begin, met), selected(end_above, side.end, met),
+          side.some && (begin_above || end_above)};
 }
 
 /// Returns, for points from i on, the contour sum of a rectangle that horizons may cut, as
 /// polygon_form.
-inline DoubleLanes cut_form(const ShadingPoints& points, const std::vector<glm::dvec3>& outline,
-                            const Vec3<DoubleLanes>& normal, const Vec3<DoubleLanes>& geometric,
-                            std::size_t i) {
-  const DoubleTag d;
-  const auto none = hn::FirstN(d, 0);
-  const Vec3<DoubleLanes> nowhere{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-  SegmentLanes by_normal{nowhere, nowhere, none}, by_geometric{nowhere, nowhere, none};
-  auto form = hn::Zero(d);
+inline DoubleLane cut_form(const ShadingPoints& points, const std::vector<glm::dvec3>& outline,
+                           const DoubleVectors& normal, const DoubleVectors& geometric,
+                           std::size_t i) {
+  const auto nothing = MaskOf<DoubleTag>::first(0);
+  const DoubleVectors nowhere{0.0, 0.0, 0.0};
+  SegmentLanes by_normal{nowhere, nowhere, nothing}, by_geometric{nowhere, nowhere, nothing};
+  DoubleLane form = 0.0;
   const auto add = [&](const SegmentLanes& side) HWY_ATTR {
     const SegmentLanes left = clipped(side, geometric, by_geometric);
-    form = hn::Add(form, hn::IfThenElseZero(left.some, contour_side(left.begin, left.end, normal)));
+    form += where(left.some, contour_side(left.begin, left.end, normal));
   };
-  Vec3<DoubleLanes> last = to_middle(points, i, outline.back());
+  DoubleVectors last = to_middle(points, i, outline.back());
   for (const glm::dvec3& corner : outline) {
-    const Vec3<DoubleLanes> to_corner = to_middle(points, i, corner);
-    add(clipped({last, to_corner, hn::Not(none)}, normal, by_normal));
+    const DoubleVectors to_corner = to_middle(points, i, corner);
+    add(clipped({last, to_corner, !nothing}, normal, by_normal));
     last = to_corner;
   }
   add(by_normal);
   const SegmentLanes& closing = by_geometric;
   const auto side = contour_side(closing.begin, closing.end, normal);
-  return hn::Add(form, hn::IfThenElseZero(closing.some, side));
+  return form + where(closing.some, side);
 }
 
 /// First: the projected solid angle, as polygon_form.
 inline void rectangle_forms(const ShadingPoints& points, const PreparedLight& light,
                             LightArcs& found) {
-  const DoubleTag d;
-  const auto zero = hn::Zero(d);
   const std::vector<glm::dvec3>& outline = light.outlines.front();
-  const auto towards = broadcast(d, light.towards);
-  const auto thickness = hn::Set(d, light.thickness);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    const Vec3<DoubleLanes> normal = doubles(points.normal, i);
-    const Vec3<DoubleLanes> geometric = doubles(points.geometric, i);
-    auto lowest = hn::Inf(d), highest_normal = hn::Neg(hn::Inf(d));
-    auto highest_geometric = highest_normal;
+  const auto towards = DoubleVectors(light.towards);
+  const auto thickness = light.thickness;
+  for (std::size_t i = 0; i < points.count; i += DoubleLane::count()) {
+    const DoubleVectors normal = doubles(points.normal, i);
+    const DoubleVectors geometric = doubles(points.geometric, i);
+    DoubleLane lowest = infinity, highest_normal = -infinity, highest_geometric = -infinity;
     for (const glm::dvec3& corner : outline) {
-      const Vec3<DoubleLanes> to_corner = to_middle(points, i, corner);
+      const DoubleVectors to_corner = to_middle(points, i, corner);
       const auto above_normal = dot(to_corner, normal);
       const auto above_geometric = dot(to_corner, geometric);
-      lowest = hn::Min(lowest, hn::Min(above_normal, above_geometric));
-      highest_normal = hn::Max(highest_normal, above_normal);
-      highest_geometric = hn::Max(highest_geometric, above_geometric);
+      lowest = min(lowest, min(above_normal, above_geometric));
+      highest_normal = max(highest_normal, above_normal);
+      highest_geometric = max(highest_geometric, above_geometric);
     }
-    const auto height = hn::Neg(dot(to_middle(points, i, light.position), towards));
-    const auto dark = hn::Or(hn::Or(hn::Le(highest_normal, zero), hn::Le(highest_geometric, zero)),
-                             hn::Le(light.two_sided ? hn::Abs(height) : height, thickness));
-    auto form = zero;
-    const auto cut = hn::AndNot(dark, hn::Lt(lowest, zero));
-    if (!hn::AllFalse(d, cut)) form = cut_form(points, outline, normal, geometric, i);
-    if (!hn::AllTrue(d, hn::Or(dark, cut))) {
-      auto whole = zero;
-      Vec3<DoubleLanes> last = to_middle(points, i, outline.back());
+    const auto height = -dot(to_middle(points, i, light.position), towards);
+    const auto dark = highest_normal <= 0.0 || highest_geometric <= 0.0 ||
+                      (light.two_sided ? abs(height) : height) <= thickness;
+    DoubleLane form = 0.0;
+    const auto cut = lowest < 0.0 && !dark;
+    if (!none(cut)) form = cut_form(points, outline, normal, geometric, i);
+    if (!all(dark || cut)) {
+      DoubleLane whole = 0.0;
+      DoubleVectors last = to_middle(points, i, outline.back());
       for (const glm::dvec3& corner : outline) {
-        const Vec3<DoubleLanes> to_corner = to_middle(points, i, corner);
-        whole = hn::Add(whole, contour_side(last, to_corner, normal));
+        const DoubleVectors to_corner = to_middle(points, i, corner);
+        whole += contour_side(last, to_corner, normal);
         last = to_corner;
       }
-      form = hn::IfThenElse(cut, form, whole);
+      form = selected(cut, form, whole);
     }
-    const auto seen = hn::IfThenElse(hn::Lt(height, zero), hn::Neg(form), form);
-    store_floats(hn::IfThenElse(dark, zero, hn::Max(zero, seen)), &found.first[i]);
+    const auto seen = selected(height < 0.0, -form, form);
+    store_floats(selected(dark, 0.0, max(0.0, seen)), &found.first[i]);
   }
 }
 

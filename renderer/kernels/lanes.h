@@ -10,29 +10,24 @@
 #include "renderer/kernels/simd_math.h"
 
 #include <cstddef>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
-
 using FloatTag = hn::ScalableTag<float>;
-using Lanes = hn::Vec<FloatTag>;
-using LaneMask = hn::Mask<FloatTag>;
-using Vectors = Vec3<Lanes>;
+using Lane = LaneOf<FloatTag>;
+using LaneMask = MaskOf<FloatTag>;
+using Vectors = Vec3<Lane>;
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
-HWY_INLINE Lanes all_lanes(float value) {
-  return hn::Set(FloatTag(), value);
-}
-HWY_INLINE Vectors all_lanes(glm::vec3 value) {
-  return broadcast(FloatTag(), value);
-}
-HWY_INLINE Lanes loaded(const ShadingPoints::Floats& from, std::size_t i) {
-  return hn::Load(FloatTag(), &from[i]);
+HWY_INLINE Lane loaded(const ShadingPoints::Floats& from, std::size_t i) {
+  return Lane::loaded(&from[i]);
 }
 HWY_INLINE Vectors loaded(const ShadingPoints::Vectors& from, std::size_t i) {
   return {loaded(from.x, i), loaded(from.y, i), loaded(from.z, i)};
 }
-HWY_INLINE void store(const Lanes& value, ShadingPoints::Floats& to, std::size_t i) {
-  hn::Store(value, FloatTag(), &to[i]);
+HWY_INLINE void store(Lane value, ShadingPoints::Floats& to, std::size_t i) {
+  value.store(&to[i]);
 }
 HWY_INLINE void store(const Vectors& value, ShadingPoints::Vectors& to, std::size_t i) {
   store(value.x, to.x, i);
@@ -41,18 +36,19 @@ HWY_INLINE void store(const Vectors& value, ShadingPoints::Vectors& to, std::siz
 }
 
 using DoubleTag = hn::ScalableTag<double>;
-using DoubleLanes = hn::Vec<DoubleTag>;
+using DoubleLane = LaneOf<DoubleTag>;
+using DoubleVectors = Vec3<DoubleLane>;
 
-HWY_INLINE DoubleLanes doubles(const float* from) {
+HWY_INLINE DoubleLane doubles(const float* from) {
   const hn::Rebind<float, DoubleTag> df;
   return hn::PromoteTo(DoubleTag(), hn::LoadU(df, from));
 }
-HWY_INLINE Vec3<DoubleLanes> doubles(const ShadingPoints::Vectors& from, std::size_t i) {
+HWY_INLINE DoubleVectors doubles(const ShadingPoints::Vectors& from, std::size_t i) {
   return {doubles(&from.x[i]), doubles(&from.y[i]), doubles(&from.z[i])};
 }
-HWY_INLINE void store_floats(DoubleLanes v, float* to) {
+HWY_INLINE void store_floats(DoubleLane v, float* to) {
   const hn::Rebind<float, DoubleTag> df;
-  hn::StoreU(hn::DemoteTo(df, v), df, to);
+  hn::StoreU(hn::DemoteTo(df, v.raw), df, to);
 }
 
 }  // namespace asos::HWY_NAMESPACE

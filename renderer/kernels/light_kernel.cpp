@@ -13,59 +13,51 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
-
 template <LightShape shape>
 HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants& light,
                                const Vectors& normal, const Vectors& middle,
                                const SampleLanes& sample, std::size_t i) {
-  const auto one = all_lanes(1.0f);
   if (!light.representative) {
-    ShineLanes shown{sample.direction, hn::Div(one, sample.distance), one};
+    ShineLanes shown{sample.direction, 1.0f / sample.distance, 1.0f};
     if constexpr (traits_of(shape).has_area()) {
       // Balance heuristic: samples of the lobe contribute the rest.
-      const auto cosine = hn::Max(dot(normal, sample.direction), hn::Zero(FloatTag()));
-      const auto some = hn::Gt(sample.form, hn::Zero(FloatTag()));
-      const auto density = hn::Div(cosine, hn::IfThenElse(some, sample.form, one));
-      const auto both = hn::Add(density, lobe_density(points, normal, sample.direction, i));
-      const auto shared = hn::And(some, hn::And(hn::Gt(density, hn::Zero(FloatTag())),
-                                                samples_lobe(points, light, normal, i)));
-      shown.ratio = hn::IfThenElse(shared, hn::Div(density, both), one);
+      const auto cosine = max(dot(normal, sample.direction), 0.0f);
+      const auto some = sample.form > 0.0f;
+      const auto density = cosine / selected(some, sample.form, 1.0f);
+      const auto both = density + lobe_density(points, normal, sample.direction, i);
+      const auto shared = some && density > 0.0f && samples_lobe(points, light, normal, i);
+      shown.ratio = selected(shared, density / both, 1.0f);
     }
     return shown;
   }
   const Vectors to_viewer = loaded(points.to_viewer, i);
   const auto along = dot(normal, to_viewer);
-  const Vectors mirrored = scaled(hn::Add(along, along), normal) - to_viewer;
+  const Vectors mirrored = (along + along) * normal - to_viewer;
   const HighlightLanes shown = highlight(ShapeTag<shape>(), light, middle, mirrored);
   const auto alpha = loaded(points.alpha, i);
-  const auto broader = hn::Add(alpha, hn::Mul(all_lanes(0.5f), shown.half_angle_tangent));
-  auto ratio = hn::Div(alpha, broader);
-  if constexpr (!traits_of(shape).line) ratio = hn::Mul(ratio, ratio);
-  const auto nearness = traits_of(shape).infinite ? hn::Zero(FloatTag())
-                                                  : hn::Div(one, hn::Sqrt(dot(middle, middle)));
+  const auto broader = alpha + 0.5f * shown.half_angle_tangent;
+  auto ratio = alpha / broader;
+  if constexpr (!traits_of(shape).line) ratio *= ratio;
+  const auto nearness = traits_of(shape).infinite ? 0.0f : 1.0f / sqrt(dot(middle, middle));
   return {shown.direction, nearness, ratio};
 }
 
 template <LightShape shape>
 void shade_shape(const ShadingPoints& points, const LightConstants& light, const LightArcs& arc,
                  const LightPointBatch& places, ShadowRayBatch& rays) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < points.count; i += Lane::count()) {
     const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
                                  loaded(points.normal, i)};
-    const Vectors middle =
-        (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
+    const Vectors middle = light.position - receiver.position + light.position_rest;
     const SampleLanes sample =
         light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
-    const auto reached =
-        hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(sample.form, zero)));
-    if (hn::AllFalse(d, reached)) continue;
+    const auto reached = LaneMask::first(points.count - i) && !(sample.form <= 0.0f);
+    if (none(reached)) continue;
 
     const ShineLanes shown = shine_of<shape>(points, light, receiver.normal, middle, sample, i);
     const auto [carried, kept] = carried_from(
         points, light, shown, {sample.form, sample.form, sample.form}, reached, i, rays);
-    if (hn::AllFalse(d, kept)) continue;
+    if (none(kept)) continue;
     append(ray_to(points, receiver, sample, i), sample.direction, kept, rays);
     append({carried, kept}, i, rays);
   }
@@ -75,35 +67,32 @@ void shade_shape(const ShadingPoints& points, const LightConstants& light, const
 template <LightShape shape>
 void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
                    const LightArcs& arc, ShadowRayBatch& rays) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d), one = all_lanes(1.0f);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < points.count; i += Lane::count()) {
     const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
                                  loaded(points.normal, i)};
     const auto samples =
-        hn::And(hn::FirstN(d, points.count - i), samples_lobe(points, light, receiver.normal, i));
-    if (hn::AllFalse(d, samples)) continue;
-    const Vectors middle =
-        (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
+        LaneMask::first(points.count - i) && samples_lobe(points, light, receiver.normal, i);
+    if (none(samples)) continue;
+    const Vectors middle = light.position - receiver.position + light.position_rest;
     const Vectors direction = loaded(lobes.direction, i);
     const LightHitLanes met =
         met_light(ShapeTag<shape>(), {light, receiver, middle, arc, direction, i});
     auto form = cosine_above(direction, receiver);
-    const auto reached = hn::And(samples, hn::And(met.met, hn::Gt(form, zero)));
-    if (hn::AllFalse(d, reached)) continue;
+    const auto reached = samples && met.met && form > 0.0f;
+    if (none(reached)) continue;
     auto density = met.density;
     if (light.attenuates) {
       const Offset at = towards_point(middle);
       const auto left = attenuation(light, middle, at.sample.distance, at.nearness);
-      form = hn::Mul(form, left);
-      density = hn::Div(density, hn::Max(left, all_lanes(1e-30f)));
+      form *= left;
+      density = density / max(left, 1e-30f);
     }
-    const auto both = hn::Add(density, lobe_density(points, receiver.normal, direction, i));
-    form = hn::IfThenElseZero(reached, hn::Div(form, both));
-    const ShineLanes shown{direction, hn::Div(one, met.distance), one};
+    const auto both = density + lobe_density(points, receiver.normal, direction, i);
+    form = where(reached, form / both);
+    const ShineLanes shown{direction, 1.0f / met.distance, 1.0f};
     const UnshadowedLanes found =
-        carried_from(points, light, shown, {zero, form, zero}, reached, i, rays);
-    if (hn::AllFalse(d, found.kept)) continue;
+        carried_from(points, light, shown, {0.0f, form, 0.0f}, reached, i, rays);
+    if (none(found.kept)) continue;
     append(ray_to(points, receiver, {direction, met.distance, form}, i), direction, found.kept,
            rays);
     append(found, i, rays);
@@ -115,16 +104,13 @@ void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, con
 template <LightShape shape>
 bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& light,
                          const LobeBatch& lobes) {
-  const FloatTag d;
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < points.count; i += Lane::count()) {
     const Vectors normal = loaded(points.normal, i);
-    const Vectors middle =
-        (all_lanes(light.position) - loaded(points.position, i)) + all_lanes(light.position_rest);
-    const LightHitLanes met =
-        meet_flat<shape>(light, middle, loaded(lobes.direction, i), hn::Zero(d));
+    const Vectors middle = light.position - loaded(points.position, i) + light.position_rest;
+    const LightHitLanes met = meet_flat<shape>(light, middle, loaded(lobes.direction, i), 0.0f);
     const auto samples =
-        hn::And(hn::FirstN(d, points.count - i), samples_lobe(points, light, normal, i));
-    if (!hn::AllFalse(d, hn::And(samples, met.met))) return true;
+        LaneMask::first(points.count - i) && samples_lobe(points, light, normal, i);
+    if (!none(samples && met.met)) return true;
   }
   return false;
 }
@@ -146,28 +132,25 @@ void shade_lobe(const ShadingPoints& points, const LightConstants& light, const 
 }
 
 void choose_lobes(const ShadingPoints& points, const LightPointBatch& places, LobeBatch& lobes) {
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(FloatTag()))
+  for (std::size_t i = 0; i < points.count; i += Lane::count())
     store(lobe_direction(points, places, i), lobes.direction, i);
 }
 
 template <LightShape shape>
 void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
                        const LightPointBatch& places, ShadowRayBatch& rays) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d);
   rays.count = 0;
   rays.rejected = 0;
   LightArcs forms, arc;
   rectangle_forms(points, *light.light, forms);
   rectangle_places(points, *light.light, places, arc);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < points.count; i += Lane::count()) {
     const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
                                  loaded(points.normal, i)};
-    const Vectors middle =
-        (all_lanes(light.position) - receiver.position) + all_lanes(light.position_rest);
+    const Vectors middle = light.position - receiver.position + light.position_rest;
     const auto form = loaded(forms.first, i);
-    const auto reached = hn::And(hn::FirstN(d, points.count - i), hn::Not(hn::Le(form, zero)));
-    if (hn::AllFalse(d, reached)) continue;
+    const auto reached = LaneMask::first(points.count - i) && !(form <= 0.0f);
+    if (none(reached)) continue;
     const SampleLanes sample =
         light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
     const ShineLanes shown = shine_of<shape>(points, light, receiver.normal, middle, sample, i);
@@ -202,7 +185,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
-
 HWY_EXPORT(shade);
 HWY_EXPORT(shade_exactly);
 HWY_EXPORT(shade_lobe);

@@ -12,36 +12,33 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
-
 using Weights = std::span<const ShadingPoints::Floats>;
 
-HWY_INLINE Lanes sum_of_weights(Weights weights, std::size_t i) {
-  auto sum = hn::Zero(FloatTag());
-  for (const ShadingPoints::Floats& of_light : weights) sum = hn::Add(sum, loaded(of_light, i));
+HWY_INLINE Lane sum_of_weights(Weights weights, std::size_t i) {
+  Lane sum = 0.0f;
+  for (const ShadingPoints::Floats& of_light : weights) sum += loaded(of_light, i);
   return sum;
 }
 
 /// Returns the weight that one ray represents. Lights above it have one ray each, and the remaining
 /// rays are divided by the weights of the remaining lights. An overestimated highlight of one light
 /// thus does not reduce the rays of the others.
-HWY_INLINE Lanes share_of_ray(Weights weights, Lanes all, float a_point, std::size_t i) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d), one = all_lanes(1.0f);
+HWY_INLINE Lane share_of_ray(Weights weights, Lane all, float a_point, std::size_t i) {
   constexpr int rounds = 2;
-  auto share = hn::Div(all, all_lanes(a_point));
-  auto goes_on = hn::FirstN(d, hn::Lanes(d));
+  auto share = all / a_point;
+  auto goes_on = LaneMask::first(Lane::count());
   for (int round = 0; round < rounds; ++round) {
-    auto rest = zero, taken = zero;
+    Lane rest = 0.0f, taken = 0.0f;
     for (const ShadingPoints::Floats& of_light : weights) {
       const auto weight = loaded(of_light, i);
-      const auto below = hn::Lt(weight, share);
-      rest = hn::Add(rest, hn::IfThenElseZero(below, weight));
-      taken = hn::Add(taken, hn::IfThenZeroElse(below, one));
+      const auto below = weight < share;
+      rest += where(below, weight);
+      taken += where(!below, 1.0f);
     }
-    goes_on = hn::AndNot(hn::Or(hn::Eq(taken, zero), hn::Eq(rest, zero)), goes_on);
-    if (hn::AllFalse(d, goes_on)) break;
-    const auto of_rest = hn::Div(rest, hn::Max(one, hn::Sub(all_lanes(a_point), taken)));
-    share = hn::IfThenElse(goes_on, hn::Min(share, of_rest), share);
+    goes_on = goes_on && !(taken == 0.0f || rest == 0.0f);
+    if (none(goes_on)) break;
+    const auto of_rest = rest / max(1.0f, a_point - taken);
+    share = selected(goes_on, min(share, of_rest), share);
   }
   return share;
 }
@@ -50,42 +47,40 @@ HWY_INLINE Lanes share_of_ray(Weights weights, Lanes all, float a_point, std::si
 /// of a share since the last pick.
 void pick(Weights weights, std::size_t points, const LightPointBatch::Fractions& at, float a_point,
           LightSelection& picks) {
-  const FloatTag d;
   const hn::RebindToUnsigned<FloatTag> du;
   constexpr float least = 1e-30f;
   ShadingPoints::Floats shares, walks;
-  for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < points; i += Lane::count()) {
     const auto all = sum_of_weights(weights, i);
-    const auto some = hn::And(hn::Gt(all, all_lanes(least)), hn::FirstN(d, points - i));
+    const auto some = all > least && LaneMask::first(points - i);
     const auto share = share_of_ray(weights, all, a_point, i);
     // Other points pick nothing.
-    store(hn::IfThenElse(some, share, hn::Inf(d)), shares, i);
+    store(selected(some, share, infinity), shares, i);
     const auto fraction = hn::ShiftRight<8>(hn::LoadU(du, &at[i]));
     const auto walked =
-        hn::Mul(hn::ConvertTo(d, hn::BitCast(hn::RebindToSigned<FloatTag>(), fraction)),
-                all_lanes(0x1p-24f));
-    store(hn::IfThenElseZero(some, walked), walks, i);
+        Lane(hn::ConvertTo(FloatTag(), hn::BitCast(hn::RebindToSigned<FloatTag>(), fraction))) *
+        0x1p-24f;
+    store(where(some, walked), walks, i);
   }
-  const auto one = all_lanes(1.0f);
   for (const ShadingPoints::Floats& of_light : weights) {
     const LightSelection::Room room = picks.next_light();
     std::size_t next = 0;
-    for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < points; i += Lane::count()) {
       const auto weight = loaded(of_light, i), share = loaded(shares, i);
-      const auto strong = hn::Ge(weight, share);
-      const auto probability = hn::Mul(weight, hn::Div(one, share));
+      const auto strong = weight >= share;
+      const auto probability = weight * (1.0f / share);
       const auto before = loaded(walks, i);
-      const auto walked = hn::Add(before, probability);
-      const auto passed = hn::AndNot(strong, hn::Ge(walked, one));
-      const auto left = hn::IfThenElse(passed, hn::Sub(walked, one), walked);
-      store(hn::IfThenElse(strong, before, left), walks, i);
-      const auto picked = hn::And(hn::Or(strong, passed), hn::FirstN(d, points - i));
-      if (hn::AllFalse(d, picked)) continue;
-      const auto by = hn::IfThenElse(strong, one, hn::Div(one, probability));
-      hn::CompressStore(by, picked, d, room.weight + next);
+      const auto walked = before + probability;
+      const auto passed = walked >= 1.0f && !strong;
+      const auto left = selected(passed, walked - 1.0f, walked);
+      store(selected(strong, before, left), walks, i);
+      const auto picked = (strong || passed) && LaneMask::first(points - i);
+      if (none(picked)) continue;
+      const auto by = selected(strong, 1.0f, 1.0f / probability);
+      by.store_if(picked, room.weight + next);
       const auto number = hn::Add(hn::Iota(du, 0), hn::Set(du, static_cast<std::uint32_t>(i)));
-      hn::CompressStore(number, hn::RebindMask(du, picked), du, room.point + next);
-      next += hn::CountTrue(d, picked);
+      hn::CompressStore(number, hn::RebindMask(du, picked.raw), du, room.point + next);
+      next += count(picked);
     }
     picks.picked(next);
   }
@@ -97,7 +92,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
-
 HWY_EXPORT(pick);
 
 void LightSelection::pick(std::span<const LightBounds> lights, const ShadingPoints& points,

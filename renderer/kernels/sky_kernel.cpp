@@ -15,35 +15,32 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
-
 constexpr std::size_t most_lanes = hn::MaxLanes(FloatTag());
 /// The four components of a node, all at once where there are lanes.
 using NodeTag = hn::CappedTag<float, 4>;
-using NodeLanes = hn::Vec<NodeTag>;
+using NodeLanes = LaneOf<NodeTag>;
 
 struct PlaceLanes {
-  Lanes x, y;
+  Lane x, y;
 };
 
 /// As OctahedralMap::place.
 HWY_INLINE PlaceLanes octahedral_place(const Vectors& d) {
-  const auto one = all_lanes(1.0f);
-  const auto sum = hn::Add(hn::Add(hn::Abs(d.x), hn::Abs(d.y)), hn::Abs(d.z));
-  const auto scale = hn::Div(one, sum);
-  const PlaceLanes p{hn::Mul(d.x, scale), hn::Mul(d.z, scale)};
-  const auto down = hn::Lt(d.y, hn::Zero(FloatTag()));
-  return {hn::IfThenElse(down, hn::CopySign(hn::Sub(one, hn::Abs(p.y)), p.x), p.x),
-          hn::IfThenElse(down, hn::CopySign(hn::Sub(one, hn::Abs(p.x)), p.y), p.y)};
+  const auto sum = abs(d.x) + abs(d.y) + abs(d.z);
+  const auto scale = 1.0f / sum;
+  const PlaceLanes p{d.x * scale, d.z * scale};
+  const auto down = d.y < 0.0f;
+  return {selected(down, copysign(1.0f - abs(p.y), p.x), p.x),
+          selected(down, copysign(1.0f - abs(p.x), p.y), p.y)};
 }
 
 /// The number below each coordinate and the rest; 0 for NaN, which must not become an index.
 struct Split {
-  Lanes below, rest;
+  Lane below, rest;
 };
-HWY_INLINE Split split(Lanes x, Lanes most) {
-  const auto below =
-      hn::IfThenElseZero(hn::Ge(x, hn::Zero(FloatTag())), hn::Min(hn::Floor(x), most));
-  return {below, hn::Sub(x, below)};
+HWY_INLINE Split split(Lane x, Lane most) {
+  const auto below = where(x >= 0.0f, min(floor(x), most));
+  return {below, x - below};
 }
 
 /// One point per element.
@@ -51,13 +48,13 @@ struct Places {
   HWY_ALIGN float x[most_lanes];
   HWY_ALIGN float y[most_lanes];
   HWY_INLINE explicit Places(const PlaceLanes& lanes) {
-    hn::Store(lanes.x, FloatTag(), x);
-    hn::Store(lanes.y, FloatTag(), y);
+    lanes.x.store(x);
+    lanes.y.store(y);
   }
 };
 
 HWY_INLINE NodeLanes between(NodeLanes a, NodeLanes b, float rest) {
-  return hn::Add(a, hn::Mul(hn::Set(NodeTag(), rest), hn::Sub(b, a)));
+  return a + rest * (b - a);
 }
 
 /// The cell of a map around a place.
@@ -83,9 +80,8 @@ struct Cell {
   }
   /// Returns components from c on.
   [[nodiscard]] HWY_INLINE NodeLanes value(std::size_t c) const {
-    const NodeTag d;
-    const auto a = between(hn::LoadU(d, above + c), hn::LoadU(d, above + 4 + c), right);
-    const auto b = between(hn::LoadU(d, below + c), hn::LoadU(d, below + 4 + c), right);
+    const auto a = between(NodeLanes::loaded(above + c), NodeLanes::loaded(above + 4 + c), right);
+    const auto b = between(NodeLanes::loaded(below + c), NodeLanes::loaded(below + 4 + c), right);
     return between(a, b, down);
   }
 };
@@ -100,46 +96,41 @@ struct Values {
   template <class Value>
   HWY_INLINE void set(std::size_t i, const Value& value) {
     HWY_ALIGN float node[4];
-    for (std::size_t c = 0; c < 4; c += hn::Lanes(NodeTag()))
-      hn::Store(value(c), NodeTag(), node + c);
+    for (std::size_t c = 0; c < 4; c += NodeLanes::count()) value(c).store(node + c);
     x[i] = node[0], y[i] = node[1], z[i] = node[2];
   }
   HWY_INLINE void clear(std::size_t i) { x[i] = y[i] = z[i] = 0.0f; }
   [[nodiscard]] HWY_INLINE Vectors lanes() const {
-    const FloatTag d;
-    return {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)};
+    return {Lane::loaded(x), Lane::loaded(y), Lane::loaded(z)};
   }
 };
 
 /// As Sky::PictureLobes::turned.
 HWY_INLINE Vectors turned(const Sky::PictureLobes& sky, const Vectors& d) {
-  const auto c = all_lanes(sky.turn_cos), s = all_lanes(sky.turn_sin);
-  return {hn::Sub(hn::Mul(c, d.x), hn::Mul(s, d.z)), d.y,
-          hn::Add(hn::Mul(s, d.x), hn::Mul(c, d.z))};
+  const auto c = sky.turn_cos, s = sky.turn_sin;
+  return {c * d.x - s * d.z, d.y, s * d.x + c * d.z};
 }
 
 /// Returns the part of reflected_sky by the lobe, for points from i on.
-HWY_INLINE Vectors by_lobe(const Sky::PictureLobes& sky, const Vectors& normal, Lanes reflects,
-                           Lanes roughness, const Vectors& to_viewer, const Vectors& specular,
+HWY_INLINE Vectors by_lobe(const Sky::PictureLobes& sky, const Vectors& normal, Lane reflects,
+                           Lane roughness, const Vectors& to_viewer, const Vectors& specular,
                            std::size_t count) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d), one = all_lanes(1.0f), two = all_lanes(2.0f);
-  const Vectors ray{hn::Neg(to_viewer.x), hn::Neg(to_viewer.y), hn::Neg(to_viewer.z)};
+  const Vectors ray = -to_viewer;
   const auto cosine = dot(normal, ray);
-  const Vectors mirrored = ray - scaled(two, scaled(cosine, normal));
+  const Vectors mirrored = ray - 2.0f * (cosine * normal);
   const Places places(octahedral_place(turned(sky, mirrored)));
-  const auto step = hn::Sub(hn::Mul(roughness, all_lanes(static_cast<float>(SkyLobes::steps))),
-                            all_lanes(static_cast<float>(SkyLobes::first_step)));
-  const auto at = clamped(step, zero, all_lanes(static_cast<float>(SkyLobes::maps - 1)));
-  const Split maps = split(at, all_lanes(static_cast<float>(SkyLobes::maps - 2)));
+  const auto step =
+      roughness * static_cast<float>(SkyLobes::steps) - static_cast<float>(SkyLobes::first_step);
+  const auto at = clamp(step, 0.0f, static_cast<float>(SkyLobes::maps - 1));
+  const Split maps = split(at, static_cast<float>(SkyLobes::maps - 2));
   HWY_ALIGN float map[most_lanes];
   HWY_ALIGN float rest[most_lanes];
   HWY_ALIGN float wanted[most_lanes];
-  hn::Store(maps.below, d, map);
-  hn::Store(maps.rest, d, rest);
-  hn::Store(reflects, d, wanted);
+  maps.below.store(map);
+  maps.rest.store(rest);
+  reflects.store(wanted);
   Values around;
-  for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+  for (std::size_t k = 0; k < Lane::count(); ++k) {
     if (k < count && wanted[k] > 0.0f) {
       const auto finer = static_cast<std::size_t>(map[k]);
       const Cell a(sky.lobes->lobe(finer), places.x[k], places.y[k]);
@@ -150,26 +141,23 @@ HWY_INLINE Vectors by_lobe(const Sky::PictureLobes& sky, const Vectors& normal, 
       around.clear(k);
     }
   }
-  const auto loss = hn::Mul(hn::Mul(all_lanes(1.0f - sky_visibility), roughness), roughness);
-  const auto visible = hn::Sub(one, loss);
-  const Vectors lit = scaled(visible, scaled(all_lanes(sky.brightness), around.lanes()));
-  const auto some = hn::Gt(reflects, zero);
-  return {hn::IfThenElseZero(some, hn::Mul(lit.x, specular.x)),
-          hn::IfThenElseZero(some, hn::Mul(lit.y, specular.y)),
-          hn::IfThenElseZero(some, hn::Mul(lit.z, specular.z))};
+  const auto loss = (1.0f - sky_visibility) * roughness * roughness;
+  const auto visible = 1.0f - loss;
+  const Vectors lit = visible * (sky.brightness * around.lanes());
+  const auto some = reflects > 0.0f;
+  return {where(some, lit.x * specular.x), where(some, lit.y * specular.y),
+          where(some, lit.z * specular.z)};
 }
 
 void reflect(const Sky::PictureLobes& sky, const MaterialBatch& materials,
              const ShadingPoints& points, SkyBatch& reflected) {
-  const FloatTag d;
-  const auto zero = hn::Zero(d);
-  const auto brightness = all_lanes(sky_visibility * sky.brightness);
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(d)) {
-    const std::size_t count = std::min(points.count - i, hn::Lanes(d));
+  const auto brightness = sky_visibility * sky.brightness;
+  for (std::size_t i = 0; i < points.count; i += Lane::count()) {
+    const std::size_t count = std::min(points.count - i, Lane::count());
     const Vectors normal = loaded(points.normal, i);
     const Places places(octahedral_place(turned(sky, normal)));
     Values irradiance;
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+    for (std::size_t k = 0; k < Lane::count(); ++k) {
       if (k < count) {
         const Cell cell(sky.lobes->irradiance(), places.x[k], places.y[k]);
         irradiance.set(k, [&](std::size_t c) HWY_ATTR { return cell.value(c); });
@@ -178,13 +166,12 @@ void reflect(const Sky::PictureLobes& sky, const MaterialBatch& materials,
       }
     }
     const Vectors ambient = loaded(materials.ambient, i);
-    const Vectors lit = scaled(brightness, irradiance.lanes());
-    store({hn::Mul(lit.x, ambient.x), hn::Mul(lit.y, ambient.y), hn::Mul(lit.z, ambient.z)},
-          reflected.diffuse, i);
+    const Vectors lit = brightness * irradiance.lanes();
+    store({lit.x * ambient.x, lit.y * ambient.y, lit.z * ambient.z}, reflected.diffuse, i);
     const auto reflects = loaded(reflected.lobe_reflects, i);
-    const auto wanted = hn::And(hn::Gt(reflects, zero), hn::FirstN(d, count));
-    Vectors specular{zero, zero, zero};
-    if (!hn::AllFalse(d, wanted))
+    const auto wanted = reflects > 0.0f && LaneMask::first(count);
+    Vectors specular{0.0f, 0.0f, 0.0f};
+    if (!none(wanted))
       specular = by_lobe(sky, normal, reflects, loaded(materials.roughness, i),
                          loaded(points.to_viewer, i), loaded(materials.specular, i), count);
     store(specular, reflected.by_lobe, i);
@@ -197,7 +184,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
-
 HWY_EXPORT(reflect);
 
 void reflect_sky(const Sky::PictureLobes& sky, const MaterialBatch& materials,

@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "renderer/kernels/weigh_lights.cpp"
 #include <hwy/foreach_target.h>  // this file again, once for each instruction set
 // Include after foreach_target.h, whose definitions these use.
-#include "renderer/kernels/lane.h"
+#include "renderer/kernels/lanes.h"
 #include "renderer/shading/ggx.h"
 #include "renderer/shading/patch_lobe.h"
 #include "renderer/shading/viewed_point.h"
@@ -16,7 +16,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
-
 HWY_INLINE Lane square(Lane x) {
   return x * x;
 }
@@ -31,11 +30,9 @@ HWY_INLINE Lane absolute(Lane x) {
 struct OneLight {
   const LightBounds& light;
 
-  [[nodiscard]] HWY_INLINE Lane operator()(float LightBounds::*field) const {
-    return all_lanes(light.*field);
-  }
+  [[nodiscard]] HWY_INLINE Lane operator()(float LightBounds::*field) const { return light.*field; }
   [[nodiscard]] HWY_INLINE Vectors operator()(glm::vec3 LightBounds::*field) const {
-    return all_lanes(light.*field);
+    return light.*field;
   }
 };
 /// A light in each lane: the first of `lights`, and the last again if there are fewer than lanes.
@@ -71,11 +68,9 @@ struct OnePoint {
   const ShadingPoints& points;
   std::size_t i;
 
-  [[nodiscard]] HWY_INLINE Lane operator()(const ShadingPoints::Floats& of) const {
-    return all_lanes(of[i]);
-  }
+  [[nodiscard]] HWY_INLINE Lane operator()(const ShadingPoints::Floats& of) const { return of[i]; }
   [[nodiscard]] HWY_INLINE Vectors operator()(const ShadingPoints::Vectors& of) const {
-    return all_lanes(of.at(i));
+    return of.at(i);
   }
 };
 /// The points from i on.
@@ -97,14 +92,14 @@ HWY_INLINE Lane alpha2_of(const Point& point) {
   const ShadingPoints& of = point.points;
   const Lane zero(0), one(1);
   const Lane alpha2 = square(point(of.alpha));
-  const auto turns = point(of.turns) > zero;
-  if (hn::AllFalse(FloatTag(), turns)) return min(one, alpha2);
+  const auto turns = point(of.turns) > 0.0f;
+  if (none(turns)) return min(1.0f, alpha2);
   const Lane both = square(point(of.spread_right)) + square(point(of.spread_down));
-  const Lane by_normals = both / Lane(24) + point(of.spread_variance);
+  const Lane by_normals = both / 24.0f + point(of.spread_variance);
   const Lane added =
-      alpha2 + min(by_normals, Lane(PatchLobe::most_added)) + Lane(0.5) * square(point(of.stretch));
-  const auto sheen = point(of.sheen) > zero;
-  return min(one, selected(turns, selected(sheen, one, added), alpha2));
+      alpha2 + min(by_normals, PatchLobe::most_added) + 0.5f * square(point(of.stretch));
+  const auto sheen = point(of.sheen) > 0.0f;
+  return min(1.0f, selected(turns, selected(sheen, 1.0f, added), alpha2));
 }
 
 /// Points as OnePoint or EachPoint.
@@ -132,7 +127,7 @@ struct PointLanes {
     tangent = {axes.right.x, axes.right.y, axes.right.z};
     bitangent = {axes.up.x, axes.up.y, axes.up.z};
     const Vectors f90 = f0 + f90_less_f0;
-    shines = max(Lane(f90.x), max(Lane(f90.y), Lane(f90.z))) > Lane(0);
+    shines = max(f90.x, max(f90.y, f90.z)) > 0.0f;
   }
 };
 
@@ -140,7 +135,7 @@ struct PointLanes {
 /// `reach` is the light's extent along the normal at a distance of 1. The result is above 0 unless
 /// the whole light is below the horizon.
 HWY_INLINE Lane cosine_above(Lane cosine, Lane reach) {
-  return max(Lane(0), max(cosine, Lane(0.5) * (cosine + reach)));
+  return max(0.0f, max(cosine, 0.5f * (cosine + reach)));
 }
 
 /// Lights at points.
@@ -153,15 +148,13 @@ template <class Light>
 HWY_INLINE Seen seen(const Light& light, const PointLanes& at) {
   const Lane zero(0), one(1);
   const Vectors u = light(&LightBounds::half_u), v = light(&LightBounds::half_v);
-  const auto nearness_of = [](Lane distance)
-                               HWY_ATTR { return Lane(1) / max(distance, Lane(1e-30)); };
-  const Vectors offset =
-      light(&LightBounds::centre) - scaled<Lanes>(light(&LightBounds::finite), at.position);
+  const auto nearness_of = [](Lane distance) HWY_ATTR { return 1.0f / max(distance, 1e-30f); };
+  const Vectors offset = light(&LightBounds::centre) - light(&LightBounds::finite) * at.position;
   const Lane distance = sqrt(square(offset)), nearness = nearness_of(distance);
-  const Vectors direction = scaled<Lanes>(nearness, offset);
+  const Vectors direction = nearness * offset;
   // The nearest point of the light or of its bounding rectangle.
   const auto along = [&](const Vectors& half, Lane per_square) HWY_ATTR {
-    return scaled<Lanes>(min(one, max(-one, -Lane(dot(offset, half)) * per_square)), half);
+    return min(1.0f, max(-1.0f, -dot(offset, half) * per_square)) * half;
   };
   const Vectors nearest =
       offset + (along(u, light(&LightBounds::per_u2)) + along(v, light(&LightBounds::per_v2)));
@@ -171,28 +164,26 @@ HWY_INLINE Seen seen(const Light& light, const PointLanes& at) {
     return round + absolute(dot(u, normal)) + absolute(dot(v, normal));
   };
   // An extent beyond twice the distance has no further effect.
-  const auto seen_reach = [&](Lane reach) HWY_ATTR { return min(Lane(2), reach * nearness); };
+  const auto seen_reach = [&](Lane reach) HWY_ATTR { return min(2.0f, reach * nearness); };
   const Lane reach = reach_along(at.normal), cosine = dot(direction, at.normal);
   const Lane n_dot_l =
       max(cosine_above(cosine, seen_reach(reach)),
-          cosine_above(most_near * Lane(dot(nearest, at.normal)), min(one, reach * most_near)));
+          cosine_above(most_near * dot(nearest, at.normal), min(1.0f, reach * most_near)));
 
   const Vectors towards = light(&LightBounds::towards);
-  const Lane height = -most_near * Lane(dot(nearest, towards));
+  const Lane height = -most_near * dot(nearest, towards);
   const Lane by_face =
       max(light(&LightBounds::all_round),
           max(light(&LightBounds::front) * height, -light(&LightBounds::back) * height));
-  const Lane cone = Lane(dot(direction, towards)) * light(&LightBounds::cone_scale) +
-                    light(&LightBounds::cone_offset);
-  const Lane r2 = square(min(one, distance * light(&LightBounds::inverse_range)));
-  const Lane left = square(min(one, max(zero, cone))) * (one - square(r2));
+  const Lane cone =
+      dot(direction, towards) * light(&LightBounds::cone_scale) + light(&LightBounds::cone_offset);
+  const Lane r2 = square(min(1.0f, distance * light(&LightBounds::inverse_range)));
+  const Lane left = square(min(1.0f, max(0.0f, cone))) * (1.0f - square(r2));
   const Lane fall =
       max(least * (distance + light(&LightBounds::near_linear)), light(&LightBounds::near_square));
-  const auto above =
-      Lane(dot(direction, at.geometric)) + seen_reach(reach_along(at.geometric)) > zero;
+  const auto above = dot(direction, at.geometric) + seen_reach(reach_along(at.geometric)) > 0.0f;
   const Lane form = light(&LightBounds::extent) * (left / fall) * (n_dot_l * by_face);
-  return {direction + scaled<Lanes>(n_dot_l - cosine, at.normal), nearness, n_dot_l,
-          selected(above, form, zero)};
+  return {direction + (n_dot_l - cosine) * at.normal, nearness, n_dot_l, where(above, form)};
 }
 
 /// The highlight: the lobe in the direction of the light's centre, widened by the light's spread of
@@ -204,49 +195,48 @@ template <class Light>
 HWY_INLINE EstimatedShine shine(const Light& light, const PointLanes& at, const Seen& seen) {
   const Lane one(1);
   const Vectors sum = seen.direction + at.to_viewer;
-  const Lane length = sqrt(max(square(sum), Lane(1e-12)));
-  const Lane per_sum = one / length;
+  const Lane length = sqrt(max(square(sum), 1e-12f));
+  const Lane per_sum = 1.0f / length;
   const Lane spread = seen.nearness * per_sum;
   // The half vector turns in the tangent plane from the light's centre to the ends of its edges.
   struct Turn {
     Lane x, y;
   };
   const auto turn_to_end = [&](const Vectors& half) HWY_ATTR {
-    const Vectors across = half - scaled<Lanes>(dot(seen.direction, half), seen.direction);
-    return Turn{spread * Lane(dot(at.tangent, across)), spread * Lane(dot(at.bitangent, across))};
+    const Vectors across = half - dot(seen.direction, half) * seen.direction;
+    return Turn{spread * dot(at.tangent, across), spread * dot(at.bitangent, across)};
   };
   const Turn u = turn_to_end(light(&LightBounds::half_u));
   const Turn v = turn_to_end(light(&LightBounds::half_v));
   const Lane round2 = square(light(&LightBounds::round) * spread);
   const Lane x2 = round2 + u.x * u.x + v.x * v.x, y2 = round2 + u.y * u.y + v.y * v.y;
   // No lobe is broader than a uniform one.
-  const Lane part = one / max(one, x2 + y2);
+  const Lane part = 1.0f / max(1.0f, x2 + y2);
   const GgxSlopes<Lane> slopes{at.alpha2 + part * x2, part * (u.x * u.y + v.x * v.y),
                                at.alpha2 + part * y2};
   const Lane det = max(slopes.determinant(), square(at.alpha2));
-  const auto half_along = [&](const Vectors& axis)
-                              HWY_ATTR { return per_sum * Lane(dot(axis, sum)); };
+  const auto half_along = [&](const Vectors& axis) HWY_ATTR { return per_sum * dot(axis, sum); };
   const Lane stretched = slopes.stretched(half_along(at.tangent), half_along(at.bitangent),
                                           half_along(at.normal), det);
-  const Lane shadowing = smith_without_roots(max(seen.n_dot_l, Lane(grazing_cosine)), at.n_dot_v,
-                                             min(one, sqrt(sqrt(det))));
+  const Lane shadowing = smith_without_roots(max(seen.n_dot_l, grazing_cosine), at.n_dot_v,
+                                             min(1.0f, sqrt(sqrt(det))));
   return {ggx_over(GgxSlopes<Lane>::alpha2(det), stretched, shadowing),
-          schlick_weight(Lane(0.5) * length)};
+          schlick_weight(0.5f * length)};
 }
 
 template <class Light>
 HWY_INLINE Lane weight(const Light& light, const PointLanes& at) {
   const Lane zero(0), one(1);
   const Seen middle = seen(light, at);
-  if (hn::AllFalse(FloatTag(), middle.form > zero)) return zero;
-  EstimatedShine shown{zero, zero};
-  if (!hn::AllFalse(FloatTag(), at.shines)) {
+  if (none(middle.form > 0.0f)) return 0.0f;
+  EstimatedShine shown{0.0f, 0.0f};
+  if (!none(at.shines)) {
     shown = shine(light, at, middle);
     const auto mirrors = light(&LightBounds::shown_from) > at.shows_lights;
-    shown.lobe = selected(hn::And(mirrors, at.shines), shown.lobe, zero);
-    shown.fresnel = selected(at.shines, shown.fresnel, zero);
+    shown.lobe = where(mirrors && at.shines, shown.lobe);
+    shown.fresnel = where(at.shines, shown.fresnel);
   }
-  const Lane scatters = one - at.falloff * shown.fresnel;
+  const Lane scatters = 1.0f - at.falloff * shown.fresnel;
   const auto channel = [&](Lane by, Lane diffuse, Lane f0, Lane rest) HWY_ATTR {
     return by * (diffuse * scatters + (f0 + rest * shown.fresnel) * shown.lobe);
   };
@@ -256,12 +246,12 @@ HWY_INLINE Lane weight(const Light& light, const PointLanes& at) {
                             channel(power.z, at.diffuse.z, at.f0.z, at.f90_less_f0.z)));
   const Lane all = middle.form * most;
   // The comparison is false for NaN.
-  return selected(all > zero, min(all, Lane(1e30)), zero);
+  return where(all > 0.0f, min(all, 1e30f));
 }
 
 void weigh(std::span<const LightBounds> lights, const ShadingPoints& points,
            std::span<ShadingPoints::Floats> weights) {
-  for (std::size_t i = 0; i < points.count; i += hn::Lanes(FloatTag())) {
+  for (std::size_t i = 0; i < points.count; i += Lane::count()) {
     const PointLanes at(EachPoint{points, i});
     for (std::size_t k = 0; k < lights.size(); ++k)
       store(weight(OneLight{lights[k]}, at), weights[k], i);
@@ -270,10 +260,9 @@ void weigh(std::span<const LightBounds> lights, const ShadingPoints& points,
 
 void weigh_at(std::span<const LightBounds> lights, const ShadingPoints& points, std::size_t i,
               std::span<float> weights) {
-  const FloatTag d;
   const PointLanes at(OnePoint{points, i});
-  for (std::size_t k = 0; k < lights.size(); k += hn::Lanes(d))
-    hn::StoreU(Lanes(weight(EachLight(lights.subspan(k)), at)), d, &weights[k]);
+  for (std::size_t k = 0; k < lights.size(); k += Lane::count())
+    weight(EachLight(lights.subspan(k)), at).store(&weights[k]);
 }
 
 }  // namespace
@@ -282,7 +271,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
-
 HWY_EXPORT(weigh);
 HWY_EXPORT(weigh_at);
 

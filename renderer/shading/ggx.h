@@ -1,5 +1,5 @@
 // The GGX lobe and Schlick's Fresnel term, written once for an arithmetic type L: float, double or
-// Lane (renderer/kernels/lane.h). Included once; where Highway is included before, once for each
+// Lane (renderer/kernels/lanes.h). Included once; where Highway is included before, once for each
 // instruction set.
 #if defined(ASOS_SHADING_GGX_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ASOS_SHADING_GGX_H

@@ -1,4 +1,4 @@
-#include "renderer/kernels/lane.h"
+#include "renderer/kernels/lanes.h"
 #include "renderer/sampling/random.h"
 // Include after lane.h, so that the templates are compiled for its lanes.
 #include "renderer/shading/ggx.h"
@@ -62,7 +62,7 @@ TEST(Ggx, LanesHaveTheBitsOfFloats) {
     const auto floats = values<float>(Numbers(i));
     const auto in_lanes = values<Lane>(Numbers(i));
     for (std::size_t k = 0; k < value_count; ++k)
-      ASSERT_EQ(hwy::HWY_NAMESPACE::GetLane(lanes::Lanes(in_lanes[k])), floats[k])
+      ASSERT_EQ(hwy::HWY_NAMESPACE::GetLane(in_lanes[k].raw), floats[k])
           << "value " << k << " of " << i;
   }
 }

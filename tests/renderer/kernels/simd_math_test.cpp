@@ -13,18 +13,17 @@ namespace asos::test::simd_math_test {
 namespace {
 
 namespace lanes = asos::HWY_NAMESPACE;
-using DoubleTag = hwy::HWY_NAMESPACE::CappedTag<double, 1>;
-using FloatTag = hwy::HWY_NAMESPACE::CappedTag<float, 1>;
+using DoubleLane = lanes::LaneOf<hwy::HWY_NAMESPACE::CappedTag<double, 1>>;
+using FloatLane = lanes::LaneOf<hwy::HWY_NAMESPACE::CappedTag<float, 1>>;
 constexpr int steps = 200'000;
 
 TEST(SimdMath, SineAndCosineOfAnEighthOfATurn) {
-  const FloatTag d;
   double worst = 0.0;
   for (int i = 0; i <= steps; ++i) {
     const auto x = static_cast<float>((2.0 * i / steps - 1.0) * 0.25 * std::numbers::pi);
-    const auto found = lanes::sin_cos_of_eighth(d, hwy::HWY_NAMESPACE::Set(d, x));
-    const double sin = hwy::HWY_NAMESPACE::GetLane(found.sin);
-    const double cos = hwy::HWY_NAMESPACE::GetLane(found.cos);
+    const auto found = sin_cos_of_eighth(FloatLane(x));
+    const double sin = hwy::HWY_NAMESPACE::GetLane(found.sin.raw);
+    const double cos = hwy::HWY_NAMESPACE::GetLane(found.cos.raw);
     if (x != 0.0f) worst = std::max(worst, std::abs(sin / std::sin(double{x}) - 1.0));
     worst = std::max(worst, std::abs(cos / std::cos(double{x}) - 1.0));
   }
@@ -33,22 +32,19 @@ TEST(SimdMath, SineAndCosineOfAnEighthOfATurn) {
 }
 
 TEST(SimdMath, SineAndCosineOfAWholeTurn) {
-  const DoubleTag d;
   double worst = 0.0;
   for (int i = 0; i <= steps; ++i) {
     const double x = 2.0 * std::numbers::pi * i / steps;
-    const auto found = lanes::sin_cos(d, hwy::HWY_NAMESPACE::Set(d, x));
-    worst = std::max(worst, std::abs(hwy::HWY_NAMESPACE::GetLane(found.sin) - std::sin(x)));
-    worst = std::max(worst, std::abs(hwy::HWY_NAMESPACE::GetLane(found.cos) - std::cos(x)));
+    const auto found = sin_cos(DoubleLane(x));
+    worst = std::max(worst, std::abs(hwy::HWY_NAMESPACE::GetLane(found.sin.raw) - std::sin(x)));
+    worst = std::max(worst, std::abs(hwy::HWY_NAMESPACE::GetLane(found.cos.raw) - std::cos(x)));
   }
   EXPECT_LT(worst, 5e-16);
 }
 
 TEST(SimdMath, ArcTangentAllAround) {
-  const DoubleTag d;
-  const auto found = [d](double y, double x) {
-    return hwy::HWY_NAMESPACE::GetLane(
-        lanes::arc_tangent(d, hwy::HWY_NAMESPACE::Set(d, y), hwy::HWY_NAMESPACE::Set(d, x)));
+  const auto found = [](double y, double x) {
+    return hwy::HWY_NAMESPACE::GetLane(arc_tangent(DoubleLane(y), DoubleLane(x)).raw);
   };
   double worst = 0.0;
   for (const double length : {1e-30, 1e-6, 1.0, 1e30}) {
