@@ -30,10 +30,7 @@ struct LightConstants {
   bool two_sided = false;
   /// Smallest ShadingPoints::shows_lights of reflections that contain the light; infinite: none.
   float shown_from = 0.0f;
-  bool lambertian = true;  ///< segment
-  /// The published rule: one point represents the whole light in highlights.
-  bool representative = false;
-  bool attenuates = false;
+  LightRule rule = LightRule::physical;
   float inverse_range = 0.0f;
   float cone_scale = 0.0f;
   float cone_offset = 1.0f;

@@ -17,7 +17,7 @@ template <LightShape shape>
 HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants& light,
                                const Vectors& normal, const Vectors& middle,
                                const SampleLanes& sample, std::size_t i) {
-  if (!light.representative) {
+  if (light.rule == LightRule::physical) {
     ShineLanes shown{sample.direction, 1.0f / sample.distance, 1.0f};
     if constexpr (traits_of(shape).has_area()) {
       // Balance heuristic: samples of the lobe contribute the rest.
@@ -33,7 +33,7 @@ HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants
   const Vectors to_viewer = loaded(points.to_viewer, i);
   const auto along = dot(normal, to_viewer);
   const Vectors mirrored = (along + along) * normal - to_viewer;
-  const HighlightLanes shown = highlight(ShapeTag<shape>(), light, middle, mirrored);
+  const auto shown = SharedGeometry<shape>::highlight(light, middle, mirrored);
   const auto alpha = loaded(points.alpha, i);
   const auto broader = alpha + 0.5f * shown.half_angle_tangent;
   auto ratio = alpha / broader;
@@ -81,7 +81,7 @@ void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, con
     const auto reached = samples && met.met && form > 0.0f;
     if (none(reached)) continue;
     auto density = met.density;
-    if (light.attenuates) {
+    if (attenuates(light)) {
       const Offset at = towards_point(middle);
       const auto left = attenuation(light, middle, at.sample.distance, at.nearness);
       form *= left;
@@ -119,7 +119,7 @@ void shade_lobe(const ShadingPoints& points, const LightConstants& light, const 
                 LightArcs& arc, ShadowRayBatch& rays) {
   rays.count = 0;
   rays.rejected = 0;
-  if (light.representative) return;
+  if (light.rule == LightRule::published) return;
   with_shape(light.shape, [&](auto shape) HWY_ATTR {
     if constexpr (traits_of(shape).has_area()) {
       if constexpr (by_solid_angle<shape>) {

@@ -8,6 +8,7 @@
 #endif
 
 #include "renderer/kernels/arc_places.h"
+#include "renderer/lights/kinds/shared.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
@@ -86,6 +87,9 @@ HWY_INLINE SampleLanes area_sample(const LightConstants& light, const ReceiverLa
   return at.sample;
 }
 
+HWY_INLINE bool attenuates(const LightConstants& light) {
+  return light.inverse_range != 0.0f || light.cone_scale != 0.0f;
+}
 /// As the function attenuation of a PreparedLight.
 HWY_INLINE Lane attenuation(const LightConstants& light, const Vectors& middle, Lane distance,
                             Lane nearness) {
@@ -103,7 +107,7 @@ HWY_INLINE SampleLanes point_sample(const LightConstants& light, const ReceiverL
   Offset at = towards_point(middle);
   const auto cosine = cosine_above(at.sample.direction, receiver);
   auto form = cosine * at.nearness * at.nearness;
-  if (light.attenuates) form *= attenuation(light, middle, at.sample.distance, at.nearness);
+  if (attenuates(light)) form *= attenuation(light, middle, at.sample.distance, at.nearness);
   at.sample.form = where(at.apart, form);
   return at.sample;
 }
@@ -157,7 +161,7 @@ HWY_INLINE SampleLanes ball_sample(const LightConstants& light, const ReceiverLa
     sample.distance = selected(inside, within.distance, sample.distance);
     sample.form = selected(inside, within.form, sample.form);
   }
-  if (light.attenuates) {
+  if (attenuates(light)) {
     sample.form *= attenuation(light, middle, at.sample.distance, at.nearness);
   }
   return sample;
@@ -170,7 +174,7 @@ HWY_INLINE SampleLanes segment_sample(const LightConstants& light, const Receive
   const Vectors foot = middle - dot(middle, along) * along;
   Offset at = towards_point(foot + loaded(arc.first, i) * along);
   auto form = loaded(arc.second, i) * cosine_above(at.sample.direction, receiver);
-  if (light.lambertian) form *= loaded(arc.third, i) * at.nearness;
+  if (light.rule == LightRule::physical) form *= loaded(arc.third, i) * at.nearness;
   at.sample.form = where(at.apart, form * at.nearness * at.nearness);
   return at.sample;
 }

@@ -7,8 +7,8 @@
 #define ASOS_KERNELS_LOBES_H
 #endif
 
-#include "renderer/kernels/highlights.h"
 #include "renderer/kernels/lanes.h"
+#include "renderer/kernels/light_samples.h"
 #include "renderer/shading/ggx.h"
 #include "renderer/shading/patch_lobe.h"
 #include "renderer/shading/sheen.h"

@@ -88,9 +88,11 @@ struct Vec3 {
   }
   friend HWY_INLINE Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
   friend HWY_INLINE Vec3 operator*(L s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend HWY_INLINE Vec3 operator/(const Vec3& a, L s) { return 1.0 / s * a; }
   friend HWY_INLINE L dot(const Vec3& a, const Vec3& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
   }
+  friend HWY_INLINE L length(const Vec3& a) { return sqrt(dot(a, a)); }
   friend HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
     return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
   }

@@ -5,6 +5,7 @@
 #include "renderer/lights/kinds/polygon.h"
 #include "renderer/lights/kinds/rectangle.h"
 #include "renderer/lights/kinds/segment.h"
+#include "renderer/lights/kinds/shared.h"
 #include "renderer/lights/kinds/sun.h"
 
 #include <algorithm>
@@ -47,7 +48,10 @@ LightSample sample_light(const PreparedLight& light, const Receiver& receiver, d
 
 Highlight highlight_of(const PreparedLight& light, glm::dvec3 position, glm::dvec3 mirrored_view) {
   return with_shape(light.shape, [&](auto shape) {
-    return LightGeometry<shape>::highlight(light, light.position - position, mirrored_view);
+    const auto found =
+        SharedGeometry<shape>::highlight(light, light.position - position, mirrored_view);
+    return Highlight{glm::vec3(found.direction), static_cast<float>(found.half_angle_tangent),
+                     static_cast<float>(found.distance)};
   });
 }
 

@@ -135,6 +135,19 @@ bool prepare_flat(const Light& light, glm::dvec3 direction, PreparedLight& prepa
   return true;
 }
 
+/// Sets the numbers that follow from others.
+void derive(PreparedLight& light) {
+  light.u_length = glm::length(light.half_u);
+  light.v_length = glm::length(light.half_v);
+  if (light.u_length > 0.0) light.u_axis = light.half_u / light.u_length;
+  if (light.v_length > 0.0) light.v_axis = light.half_v / light.v_length;
+  const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
+  const double sine = light.radius * cosine;
+  light.one_less_cosine = sine * sine / (1.0 + cosine);
+  light.highlight_radius =
+      light.traits().line ? light.u_length : std::sqrt(light.area * std::numbers::inv_pi);
+}
+
 }  // namespace
 
 LightShape light_shape(const Light& light) {
@@ -187,6 +200,7 @@ PreparedLight prepare_light(const Light& light, LightRule rule) {
       }
       break;
   }
+  derive(prepared);
   return prepared;
 }
 

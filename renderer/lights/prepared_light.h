@@ -36,7 +36,11 @@ struct PreparedLight {
   /// rectangle, halved; half_u x half_v lies along towards.
   glm::dvec3 half_u{0.0};
   glm::dvec3 half_v{0.0};
+  glm::dvec3 u_axis{0.0}, v_axis{0.0};  ///< unit vectors along half_u and half_v, or 0
+  double u_length = 0.0, v_length = 0.0;
   std::vector<std::vector<glm::dvec3>> outlines;  ///< rectangle, polygon: see Light::outlines
+  double one_less_cosine = 0.0;                   ///< sun: 1 - the cosine of its half angle
+  double highlight_radius = 0.0;  ///< line, flat, capsule: of the representative point
   double area = 0.0;  ///< flat: of one side; capsule: projected, from a direction across its axis
   PolygonRows rows;   ///< polygon: in metres along half_u, half_v
   /// Flat: largest distance of its own surface from its plane, by rounding and by the

@@ -8,6 +8,8 @@
 #define ASOS_SHADING_GGX_H
 #endif
 
+#include "renderer/lights/lane_choices.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,12 +20,6 @@ namespace asos::HWY_NAMESPACE {
 #else
 namespace asos {
 #endif
-
-/// Returns `yes` or `no`, as for lanes.
-template <class L>
-[[gnu::always_inline]] inline L selected(bool which, L yes, L no) {
-  return which ? yes : no;
-}
 
 /// A vector in any frame, or in that of a lobe, with the normal along z.
 template <class L>
@@ -38,7 +34,7 @@ struct LobeAxes {
   LobeVector<L> right, up;
 };
 template <class L>
-[[gnu::always_inline]] inline LobeAxes<L> axes_about(L x, L y, L z) {
+ASOS_INLINE LobeAxes<L> axes_about(L x, L y, L z) {
   using std::copysign;
   const L sign = copysign(L(1), z);
   const L a = -(L(1) / (sign + z));
@@ -48,7 +44,7 @@ template <class L>
 
 /// Returns (1 - cosine)^5 (Schlick 1994), with the cosine between a direction and the half vector.
 template <class L>
-[[gnu::always_inline]] inline L schlick_weight(L cosine) {
+ASOS_INLINE L schlick_weight(L cosine) {
   using std::max, std::min;
   const L m = min(max(L(1) - cosine, L(0)), L(1));
   const L m2 = m * m;
@@ -57,7 +53,7 @@ template <class L>
 
 /// Returns the reflectance between f0 at normal and f90 at grazing incidence, for a schlick_weight.
 template <class Color, class L>
-[[gnu::always_inline]] inline Color schlick(const Color& f0, const Color& f90, L weight) {
+ASOS_INLINE Color schlick(const Color& f0, const Color& f90, L weight) {
   return f0 + (f90 - f0) * weight;
 }
 
@@ -66,27 +62,27 @@ template <class Color, class L>
 /// by the functions below. With s of smith_shadowing this is the lobe D V. With the sum of n.v and
 /// its smith_root it is the density of directions reflected at visible normals (Heitz 2018).
 template <class L>
-[[gnu::always_inline]] inline L ggx_over(L alpha2, L stretched, L s) {
+ASOS_INLINE L ggx_over(L alpha2, L stretched, L s) {
   return alpha2 * L(0.5 * std::numbers::inv_pi) / (stretched * stretched * s);
 }
 
 /// Returns the squared length of a half vector whose part across the normal is divided by alpha,
 /// times alpha^2.
 template <class L>
-[[gnu::always_inline]] inline L ggx_stretched(L alpha2, L n_dot_h) {
+ASOS_INLINE L ggx_stretched(L alpha2, L n_dot_h) {
   return n_dot_h * n_dot_h * (alpha2 - L(1)) + L(1);
 }
 /// Returns the same for a vector along the half vector of squared length `length2`, from its
 /// squared part across the normal. A narrow lobe depends on the last bits of that part.
 template <class L>
-[[gnu::always_inline]] inline L ggx_stretched(L alpha2, L across2, L along, L length2) {
+ASOS_INLINE L ggx_stretched(L alpha2, L across2, L along, L length2) {
   return (across2 + alpha2 * (along * along)) / length2;
 }
 
 /// Returns the root in Smith's masking function, |(alpha x, alpha y, z)| of a unit direction with
 /// this cosine z.
 template <class L>
-[[gnu::always_inline]] inline L smith_root(L cosine, L alpha2) {
+ASOS_INLINE L smith_root(L cosine, L alpha2) {
   using std::sqrt;
   return sqrt(cosine * cosine * (L(1) - alpha2) + alpha2);
 }
@@ -94,19 +90,19 @@ template <class L>
 /// Returns s of ggx_over for the height-correlated masking and shadowing of Smith (Heitz 2014).
 /// The roots are those of smith_root.
 template <class L>
-[[gnu::always_inline]] inline L smith_shadowing(L n_dot_l, L root_l, L n_dot_v, L root_v) {
+ASOS_INLINE L smith_shadowing(L n_dot_l, L root_l, L n_dot_v, L root_v) {
   return n_dot_l * root_v + n_dot_v * root_l;
 }
 /// Returns an approximation without roots (Hammon 2017, "PBR Diffuse Lighting for GGX+Smith
 /// Microsurfaces").
 template <class L>
-[[gnu::always_inline]] inline L smith_without_roots(L n_dot_l, L n_dot_v, L alpha) {
+ASOS_INLINE L smith_without_roots(L n_dot_l, L n_dot_v, L alpha) {
   return (n_dot_l + n_dot_l) * n_dot_v * (L(1) - alpha) + (n_dot_l + n_dot_v) * alpha;
 }
 
 /// Returns G2 / G1: the part of the facets visible to the viewer that the light reaches.
 template <class L>
-[[gnu::always_inline]] inline L smith_reached(L n_dot_l, L root_l, L n_dot_v, L root_v) {
+ASOS_INLINE L smith_reached(L n_dot_l, L root_l, L n_dot_v, L root_v) {
   return n_dot_l * (n_dot_v + root_v) / smith_shadowing(n_dot_l, root_l, n_dot_v, root_v);
 }
 
@@ -123,24 +119,23 @@ struct GgxSlopes {
   L xx, xy, yy;
 
   /// Adds the stretch and `turn` times the squared turns to the alpha^2 `round`.
-  [[gnu::always_inline]] static inline GgxSlopes of(L round, L turn, const LobeSpread<L>& x,
-                                                    const LobeSpread<L>& y) {
+  static ASOS_INLINE GgxSlopes of(L round, L turn, const LobeSpread<L>& x, const LobeSpread<L>& y) {
     return {round + x.stretch * x.stretch + turn * (x.right * x.right + x.down * x.down),
             x.stretch * y.stretch + turn * (x.right * y.right + x.down * y.down),
             round + y.stretch * y.stretch + turn * (y.right * y.right + y.down * y.down)};
   }
 
-  [[gnu::always_inline]] [[nodiscard]] inline L determinant() const { return xx * yy - xy * xy; }
+  [[nodiscard]] ASOS_INLINE L determinant() const { return xx * yy - xy * xy; }
   /// Returns the part of smith_root's square that depends on the roughness.
-  [[gnu::always_inline]] [[nodiscard]] inline L quadratic(L x, L y) const {
+  [[nodiscard]] ASOS_INLINE L quadratic(L x, L y) const {
     return xx * x * x + (xy + xy) * x * y + yy * y * y;
   }
   /// Returns `stretched` of a unit half vector for ggx_over, times the root of the determinant
   /// `det`. alpha2() has the square of that factor.
-  [[gnu::always_inline]] [[nodiscard]] inline L stretched(L x, L y, L z, L det) const {
+  [[nodiscard]] ASOS_INLINE L stretched(L x, L y, L z, L det) const {
     return yy * (x * x) - (xy + xy) * x * y + xx * (y * y) + z * z * det;
   }
-  [[gnu::always_inline]] [[nodiscard]] static inline L alpha2(L det) {
+  [[nodiscard]] static ASOS_INLINE L alpha2(L det) {
     using std::sqrt;
     return sqrt(det) * det;
   }
@@ -149,9 +144,8 @@ struct GgxSlopes {
 /// Returns a visible normal, not unit, for a point of the unit disk and the unit direction to the
 /// viewer (Heitz 2018, "Sampling the GGX Distribution of Visible Normals", appendix A).
 template <class L>
-[[gnu::always_inline]] inline LobeVector<L> visible_normal(const LobeVector<L>& to_viewer,
-                                                           L alpha_x, L alpha_y, L disk_x,
-                                                           L disk_y) {
+ASOS_INLINE LobeVector<L> visible_normal(const LobeVector<L>& to_viewer, L alpha_x, L alpha_y,
+                                         L disk_x, L disk_y) {
   using std::max, std::sqrt;
   // Stretch the direction to roughness 1.
   const L sx = alpha_x * to_viewer.x, sy = alpha_y * to_viewer.y, sz = to_viewer.z;

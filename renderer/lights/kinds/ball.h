@@ -25,16 +25,6 @@ struct LightGeometry<LightShape::ball> {
     return sample;
   }
 
-  static Highlight highlight(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
-    const double distance = glm::length(to_middle);
-    if (distance <= light.radius) return {glm::vec3(ray), 1.0f, 0.0f};
-    Highlight highlight =
-        highlight_towards(nearest_of_ball(to_middle, light.radius, ray), light.radius, ray);
-    highlight.half_angle_tangent = static_cast<float>(light.radius / distance);
-    highlight.distance = static_cast<float>(distance - light.radius);
-    return highlight;
-  }
-
   static void add_patches(const PreparedLight& light, const Receiver& receiver,
                           std::vector<LightPatch>& patches) {
     const glm::dvec3 to_middle = light.position - receiver.position;

@@ -134,13 +134,6 @@ struct LightGeometry<LightShape::capsule> {
     return SampledHit{at.distance, 0.5 * std::numbers::inv_pi / one_less};
   }
 
-  /// At the axis point with the least distance to the ray's line, moved towards the ray.
-  static Highlight highlight(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
-    const glm::dvec3 at = to_middle + nearest_to_ray(to_middle, light.half_u, ray) * light.half_u;
-    return highlight_towards(nearest_of_ball(at, light.radius, ray),
-                             std::sqrt(light.area * std::numbers::inv_pi), ray);
-  }
-
   /// The silhouette in the plane of the window, as trapezoids between its corners.
   static void add_patches(const PreparedLight& light, const Receiver& receiver,
                           std::vector<LightPatch>& patches) {

@@ -17,11 +17,6 @@ struct LightGeometry<LightShape::disk> : FlatGeometry<LightGeometry<LightShape::
         light, receiver,
         light.position - receiver.position + p.x * light.half_u + p.y * light.half_v);
   }
-  static glm::dvec3 nearest(const PreparedLight& light, glm::dvec3 hit) {
-    const glm::dvec3 flat = hit - glm::dot(hit, light.towards) * light.towards;
-    const double length = glm::length(flat);
-    return length > light.radius ? flat * (light.radius / length) : flat;
-  }
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
     const glm::dvec3 d = p - light.position;
     return glm::dot(d, d) <= light.radius * light.radius;

@@ -5,21 +5,14 @@
 
 namespace asos {
 
-/// Shared by the shapes in a plane. `Shape` has `physical_form`, `holds` (a point of the plane),
-/// `nearest` (to a point relative to the centre) and `add_facing_patches`.
+/// Shared by the shapes in a plane. `Shape` has `physical_form`, `holds` (a point of the plane)
+/// and `add_facing_patches`.
 template <typename Shape>
 struct FlatGeometry {
   static double form(const PreparedLight& light, const Receiver& receiver) {
     if (light.rule == LightRule::published) return middle_form(light, receiver);
     const double height = glm::dot(receiver.position - light.position, light.towards);
     return light.faces(height) ? Shape::physical_form(light, receiver, height < 0.0) : 0.0;
-  }
-
-  static Highlight highlight(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
-    // The radius of the disk with the same area.
-    const double radius = std::sqrt(light.area * std::numbers::inv_pi);
-    const glm::dvec3 hit = plane_hit(light, to_middle, ray);
-    return highlight_towards(to_middle + Shape::nearest(light, hit), radius, ray);
   }
 
   static void add_patches(const PreparedLight& light, const Receiver& receiver,
@@ -61,12 +54,6 @@ struct FlatGeometry {
     return std::max(0.0, behind ? -form : form);
   }
 
-  static glm::dvec3 nearest_of_bounds(const PreparedLight& light, glm::dvec3 hit) {
-    const double u = glm::dot(hit, light.half_u) / glm::dot(light.half_u, light.half_u);
-    const double v = glm::dot(hit, light.half_v) / glm::dot(light.half_v, light.half_v);
-    return std::clamp(u, -1.0, 1.0) * light.half_u + std::clamp(v, -1.0, 1.0) * light.half_v;
-  }
-
   /// Returns a patch with the light's centre, in units of its distance.
   static LightPatch centred_patch(const PreparedLight& light, glm::dvec3 to_middle,
                                   LightPatch::Kind kind) {
@@ -95,18 +82,6 @@ struct FlatGeometry {
     const double cosine = -glm::dot(to_light, light.towards) / distance;
     const double seen = light.two_sided ? std::abs(cosine) : std::max(0.0, cosine);
     return light.area * seen * point_form(to_light, receiver);
-  }
-
-  /// Returns the point where the mirrored ray hits the light's plane, relative to `to_middle`. If
-  /// the ray hits the plane beyond the whole light, or not at all, the ray's far end is used
-  /// instead, so that the point moves continuously as the ray turns away.
-  static glm::dvec3 plane_hit(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
-    const double far =
-        glm::length(to_middle) + glm::length(light.half_u) + glm::length(light.half_v);
-    const double along = glm::dot(to_middle, light.towards);
-    const double slope = glm::dot(ray, light.towards);
-    const bool hits = along * slope > 0.0 && std::abs(along) < far * std::abs(slope);
-    return ray * (hits ? along / slope : far) - to_middle;
   }
 };
 

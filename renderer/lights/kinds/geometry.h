@@ -17,8 +17,8 @@
 namespace asos {
 
 /// The geometry of one shape. There is no general definition: a function that a shape lacks does
-/// not compile. All have `form`, the projected solid angle times the spot's cone and range;
-/// `sample`; and `highlight`. Shapes with an area have `add_patches` and `window`. Shapes with a
+/// not compile. All have `form`, the projected solid angle times the spot's cone and range,
+/// and `sample`. Shapes with an area have `add_patches` and `window`. Shapes with a
 /// surface have `meet` and `outlines`, and `way` if they are not flat.
 template <LightShape shape>
 struct LightGeometry;
@@ -75,37 +75,6 @@ inline double point_form(glm::dvec3 to_light, const Receiver& receiver) {
   const double distance2 = glm::dot(to_light, to_light);
   if (!(distance2 > 0.0)) return 0.0;
   return cosine_above(to_light / std::sqrt(distance2), receiver) / distance2;
-}
-
-/// Returns the highlight of a point with a radius.
-inline Highlight highlight_towards(glm::dvec3 to_point, double radius, glm::dvec3 ray) {
-  const double distance = glm::length(to_point);
-  Highlight highlight;
-  highlight.direction = glm::vec3(distance > 0.0 ? to_point / distance : ray);
-  highlight.distance = static_cast<float>(distance);
-  // Points inside of the radius are treated as on the surface of a ball.
-  highlight.half_angle_tangent =
-      radius > 0.0 ? static_cast<float>(radius / std::max(distance, radius)) : 0.0f;
-  return highlight;
-}
-
-/// Returns the nearest point of a ball (or of a sun at the distance 1): at most a radius from its
-/// centre towards the ray.
-inline glm::dvec3 nearest_of_ball(glm::dvec3 to_middle, double radius, glm::dvec3 ray) {
-  // A ray that leads away is nearest where it starts.
-  const double along = std::max(0.0, glm::dot(to_middle, ray));
-  const glm::dvec3 to_ray = along * ray - to_middle;
-  const double length = glm::length(to_ray);
-  return to_middle + to_ray * (length > radius ? radius / length : 1.0);
-}
-
-/// Returns the place, -1 to 1, on a segment about to_middle with the least distance to a ray's
-/// line.
-inline double nearest_to_ray(glm::dvec3 to_middle, glm::dvec3 half, glm::dvec3 ray) {
-  const double ray_half = glm::dot(ray, half);
-  const double across2 = glm::dot(half, half) - ray_half * ray_half;
-  const double wanted = glm::dot(ray, to_middle) * ray_half - glm::dot(to_middle, half);
-  return across2 > 0.0 ? std::clamp(wanted / across2, -1.0, 1.0) : 0.0;
 }
 
 /// Returns a circle as a polygon of the same area.

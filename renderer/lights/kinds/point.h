@@ -15,9 +15,6 @@ struct LightGeometry<LightShape::point> {
     sample.irradiance = irradiance_of(light.power, form(light, receiver));
     return sample;
   }
-  static Highlight highlight(const PreparedLight&, glm::dvec3 to_middle, glm::dvec3 ray) {
-    return highlight_towards(to_middle, 0.0, ray);
-  }
 };
 
 template <>
@@ -27,9 +24,6 @@ struct LightGeometry<LightShape::distant> {
   }
   static LightSample sample(const PreparedLight& light, const Receiver& receiver, double, double) {
     return {light.towards, infinitely_far, irradiance_of(light.power, form(light, receiver))};
-  }
-  static Highlight highlight(const PreparedLight& light, glm::dvec3, glm::dvec3) {
-    return {glm::vec3(light.towards), 0.0f};
   }
 };
 

@@ -16,10 +16,6 @@ struct LightGeometry<LightShape::polygon> : FlatGeometry<LightGeometry<LightShap
                        light.position - receiver.position + p.x * glm::normalize(light.half_u) +
                            p.y * glm::normalize(light.half_v));
   }
-  static glm::dvec3 nearest(const PreparedLight& light, glm::dvec3 hit) {
-    return nearest_of_bounds(light, hit);
-  }
-
   /// Returns whether the outlines wind around the point an odd number of times.
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
     const glm::dvec3 u = glm::normalize(light.half_u), v = glm::normalize(light.half_v);

@@ -33,9 +33,6 @@ struct LightGeometry<LightShape::rectangle> : FlatGeometry<LightGeometry<LightSh
                        middle + (2.0 * u - 1.0) * light.half_u + (2.0 * v - 1.0) * light.half_v);
   }
 
-  static glm::dvec3 nearest(const PreparedLight& light, glm::dvec3 hit) {
-    return nearest_of_bounds(light, hit);
-  }
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
     const glm::dvec3 d = p - light.position;
     return std::abs(glm::dot(d, light.half_u)) <= glm::dot(light.half_u, light.half_u) &&

@@ -43,12 +43,6 @@ struct LightGeometry<LightShape::segment> {
     sample.irradiance = irradiance_of(light.power, form);
     return sample;
   }
-
-  /// At the point with the least distance to the ray's line.
-  static Highlight highlight(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 ray) {
-    const double t = nearest_to_ray(to_middle, light.half_u, ray);
-    return highlight_towards(to_middle + t * light.half_u, glm::length(light.half_u), ray);
-  }
 };
 
 }  // namespace asos

@@ -23,13 +23,6 @@ struct LightGeometry<LightShape::sun> {
     const double sine = light.radius * cosine;
     return cone_sample(light, receiver, light.towards, sine * sine / (1.0 + cosine), u, v);
   }
-  static Highlight highlight(const PreparedLight& light, glm::dvec3, glm::dvec3 ray) {
-    Highlight highlight =
-        highlight_towards(nearest_of_ball(light.towards, light.radius, ray), 0.0, ray);
-    highlight.half_angle_tangent = static_cast<float>(light.radius);
-    highlight.distance = std::numeric_limits<float>::infinity();
-    return highlight;
-  }
   static void add_patches(const PreparedLight& light, const Receiver&,
                           std::vector<LightPatch>& patches) {
     const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
