@@ -16,12 +16,9 @@ HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes
                                 const LightArcs& arc, const LightPointBatch& places,
                                 std::size_t i) {
   const Vectors middle = light.position - receiver.position + light.position_rest;
-  if constexpr (by_solid_angle<shape>) {
-    const auto u = centred(&places.u[i]), v = centred(&places.v[i]);
-    return area_sample(light, receiver, middle + u * light.half_u + v * light.half_v);
-  } else {
-    return light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
-  }
+  const SampleQuery q{light, receiver, middle, arc, places, i};
+  if constexpr (by_solid_angle<shape>) return SharedGeometry<shape>::place(q);
+  return SharedGeometry<shape>::sample(q);
 }
 
 template <LightShape shape>
@@ -56,7 +53,7 @@ void aim(const ShadingPoints& points, const LightConstants& light, const LightPo
   LightArcs arc;
   with_shape(light.shape, [&](auto shape) HWY_ATTR {
     // Here all places on flat lights are chosen by area.
-    if constexpr (!by_solid_angle<shape>) find_places(shape, points, *light.light, places, arc);
+    if constexpr (!by_solid_angle<shape>) find_places<shape>(points, *light.light, places, arc);
     aim_at<shape>(points, light, arc, places, by, rays);
   });
 }

@@ -50,7 +50,7 @@ void shade_shape(const ShadingPoints& points, const LightConstants& light, const
                                  loaded(points.normal, i)};
     const Vectors middle = light.position - receiver.position + light.position_rest;
     const SampleLanes sample =
-        light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
+        SharedGeometry<shape>::sample(SampleQuery{light, receiver, middle, arc, places, i});
     const auto reached = LaneMask::first(points.count - i) && !(sample.form <= 0.0f);
     if (none(reached)) continue;
 
@@ -81,12 +81,9 @@ void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, con
     const auto reached = samples && met.met && form > 0.0f;
     if (none(reached)) continue;
     auto density = met.density;
-    if (attenuates(light)) {
-      const Offset at = towards_point(middle);
-      const auto left = attenuation(light, middle, at.sample.distance, at.nearness);
-      form *= left;
-      density = density / max(left, 1e-30f);
-    }
+    const auto left = attenuation_towards(light, middle);
+    form *= left;
+    density = density / max(left, 1e-30f);
     const auto both = density + lobe_density(points, receiver.normal, direction, i);
     form = where(reached, form / both);
     const ShineLanes shown{direction, 1.0f / met.distance, 1.0f};
@@ -124,7 +121,7 @@ void shade_lobe(const ShadingPoints& points, const LightConstants& light, const 
     if constexpr (traits_of(shape).has_area()) {
       if constexpr (by_solid_angle<shape>) {
         if (!any_meets_rectangle<shape>(points, light, lobes)) return;
-        rectangle_arcs(points, *light.light, arc);
+        find_arcs<shape>(points, *light.light, arc);
       }
       shade_lobe_of<shape>(points, light, lobes, arc, rays);
     }
@@ -143,7 +140,7 @@ void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
   rays.rejected = 0;
   LightArcs forms, arc;
   rectangle_forms(points, *light.light, forms);
-  rectangle_places(points, *light.light, places, arc);
+  find_places<shape>(points, *light.light, places, arc);
   for (std::size_t i = 0; i < points.count; i += Lane::count()) {
     const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
                                  loaded(points.normal, i)};
@@ -152,7 +149,7 @@ void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
     const auto reached = LaneMask::first(points.count - i) && !(form <= 0.0f);
     if (none(reached)) continue;
     const SampleLanes sample =
-        light_sample(ShapeTag<shape>(), {light, receiver, middle, arc, places, i});
+        SharedGeometry<shape>::sample(SampleQuery{light, receiver, middle, arc, places, i});
     const ShineLanes shown = shine_of<shape>(points, light, receiver.normal, middle, sample, i);
     append(carried_from(points, light, shown, {form, sample.form, sample.form}, reached, i, rays),
            i, rays);
@@ -164,7 +161,7 @@ void shade(const ShadingPoints& points, const LightConstants& light, const Light
   rays.count = 0;
   rays.rejected = 0;
   with_shape(light.shape, [&](auto shape) HWY_ATTR {
-    find_places(shape, points, *light.light, places, arc);
+    find_places<shape>(points, *light.light, places, arc);
     shade_shape<shape>(points, light, arc, places, rays);
   });
 }

@@ -11,7 +11,6 @@
 
 #include "renderer/kernels/lanes.h"
 #include "renderer/kernels/light_samples.h"
-#include "renderer/lights/kinds/capsule.h"
 #include "renderer/lights/lights_without_geometry.h"
 #include "renderer/shading/brdf.h"
 #include "renderer/shading/ggx.h"
@@ -84,12 +83,11 @@ HWY_INLINE LightHitLanes meet_cone(const Vectors& axis, Lane one_less_cosine,
 HWY_INLINE LightHitLanes meet_ball(const LightConstants& light, const ReceiverLanes& receiver,
                                    const Vectors& middle, const Vectors& direction) {
   const auto radius = light.radius;
-  const Offset at = towards_point(middle);
-  const auto inside = at.sample.distance <= radius;
-  const auto sine = min(1.0f, radius * at.nearness);
-  const auto cosine = sqrt((1.0f - sine) * (1.0f + sine));
+  const auto distance = length(middle);
+  const auto inside = distance <= radius;
+  const auto sine = radius / max(distance, radius);
   const LightHitLanes cone =
-      meet_cone(at.sample.direction, sine * sine / (1.0f + cosine), direction);
+      meet_cone(middle / selected(inside, 1.0f, distance), one_less_cosine(sine), direction);
   const auto along = dot(direction, middle);
   const Vectors beside = middle - along * direction;
   const auto depth2 = radius * radius - dot(beside, beside);
@@ -147,7 +145,6 @@ HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLane
 /// Tests each direction in double precision.
 HWY_INLINE LightHitLanes meet_capsule(const PreparedLight& light, const ReceiverLanes& receiver,
                                       const Vectors& direction) {
-  using Capsule = LightGeometry<LightShape::capsule>;
   ShadingPoints::Vectors from, normal, to;
   ShadingPoints::Floats distance{}, density{};
   store(receiver.position, from, 0);
@@ -156,7 +153,7 @@ HWY_INLINE LightHitLanes meet_capsule(const PreparedLight& light, const Receiver
   for (std::size_t k = 0; k < Lane::count(); ++k) {
     const glm::dvec3 way(to.at(k));
     const Receiver at{from.at(k), normal.at(k), normal.at(k)};
-    const auto hit = Capsule::sampled_hit(light, at, way);
+    const auto hit = sampled_hit(light, at, way);
     if (!hit) continue;
     distance[k] = static_cast<float>(hit->distance);
     density[k] = static_cast<float>(hit->density);

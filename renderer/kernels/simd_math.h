@@ -9,6 +9,8 @@
 #define ASOS_KERNELS_SIMD_MATH_H
 #endif
 
+#include "renderer/lights/lane_choices.h"
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
@@ -141,11 +143,6 @@ HWY_INLINE LaneOf<D> polynomial(LaneOf<D> x, const hn::TFromD<D> (&c)[n]) {
   for (std::size_t k = n - 1; k-- > 0;) sum = sum * x + c[k];
   return sum;
 }
-
-template <class L>
-struct SinCos {
-  L sin, cos;
-};
 
 /// Sine and cosine for -pi/4 to pi/4, by Taylor's series to x^9 and x^10. The error is below 1.2e-7
 /// of the result.

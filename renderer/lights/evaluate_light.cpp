@@ -5,7 +5,6 @@
 #include "renderer/lights/kinds/polygon.h"
 #include "renderer/lights/kinds/rectangle.h"
 #include "renderer/lights/kinds/segment.h"
-#include "renderer/lights/kinds/shared.h"
 #include "renderer/lights/kinds/sun.h"
 
 #include <algorithm>
@@ -16,17 +15,7 @@
 namespace asos {
 
 double attenuation(const PreparedLight& light, glm::dvec3 position) {
-  if (light.inverse_range == 0.0 && light.cone_scale == 0.0) return 1.0;
-  const glm::dvec3 to_light = light.position - position;
-  const double distance = glm::length(to_light);
-  const double r = std::min(distance * light.inverse_range, 1.0);
-  double factor = 1.0 - r * r * r * r;
-  if (light.cone_scale > 0.0 && distance > 0.0) {
-    const double cosine = glm::dot(to_light, light.towards) / distance;
-    const double cone = std::clamp(cosine * light.cone_scale + light.cone_offset, 0.0, 1.0);
-    factor *= cone * cone;
-  }
-  return factor;
+  return attenuation_towards(light, light.position - position);
 }
 
 glm::vec3 segment_irradiance(const PreparedLight& light, const Receiver& receiver, double t0,
@@ -42,8 +31,28 @@ glm::vec3 unshadowed_irradiance(const PreparedLight& light, const Receiver& rece
 }
 
 LightSample sample_light(const PreparedLight& light, const Receiver& receiver, double u, double v) {
-  return with_shape(
-      light.shape, [&](auto shape) { return LightGeometry<shape>::sample(light, receiver, u, v); });
+  return with_shape(light.shape, [&](auto shape) -> LightSample {
+    const auto found = SharedGeometry<shape>::sample(SampleQuery<shape>{light, receiver, {u, v}});
+    if (!(found.distance > 0.0)) return {};
+    return {found.direction, found.distance, irradiance_of(light.power, found.form)};
+  });
+}
+
+glm::vec4 sample_numbers(const PreparedLight& light, const Receiver& receiver, double u, double v) {
+  return with_shape(light.shape, [&](auto shape) -> glm::vec4 {
+    if constexpr (traits_of(shape).sampling == Sampling::scalar)
+      return LightGeometry<shape>::numbers(light, receiver, u, v);
+    return {};
+  });
+}
+
+std::optional<SampledHit> sampled_hit(const PreparedLight& light, const Receiver& receiver,
+                                      glm::dvec3 direction) {
+  return with_shape(light.shape, [&](auto shape) -> std::optional<SampledHit> {
+    if constexpr (requires { LightGeometry<shape>::sampled_hit(light, receiver, direction); })
+      return LightGeometry<shape>::sampled_hit(light, receiver, direction);
+    return std::nullopt;
+  });
 }
 
 Highlight highlight_of(const PreparedLight& light, glm::dvec3 position, glm::dvec3 mirrored_view) {

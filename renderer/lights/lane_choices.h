@@ -25,4 +25,15 @@ ASOS_INLINE bool all(bool which) {
   return which;
 }
 
+template <class L>
+struct SinCos {
+  L sin, cos;
+};
+inline SinCos<double> sin_cos(double angle) {
+  return {std::sin(angle), std::cos(angle)};
+}
+inline double arc_tangent(double y, double x) {
+  return std::atan2(y, x);
+}
+
 }  // namespace asos

@@ -22,6 +22,14 @@ enum class LightShape : std::uint8_t {
   disk,
 };
 
+/// How samples find the numbers that they need in double precision.
+enum class Sampling : std::uint8_t {
+  direct,       ///< they need none
+  lanes,        ///< in lanes, for all points at once
+  solid_angle,  ///< in lanes, partly the same for all samples of a point
+  scalar,       ///< for one point after another
+};
+
 /// Properties of a shape.
 struct LightTraits {
   bool RenderFeatures::*feature;  ///< that a scene with such a light needs
@@ -30,6 +38,7 @@ struct LightTraits {
   bool flat = false;              ///< in a plane, within position +- half_u +- half_v
   bool line = false;              ///< without width: no direction hits it
   const char* sized = nullptr;    ///< its own name in `asos info`; null: counted by type alone
+  Sampling sampling = Sampling::direct;
 
   /// Returns whether the light has a radiance, which highlights of narrow lobes show.
   [[nodiscard]] constexpr bool has_area() const { return extended && !line; }
@@ -43,11 +52,22 @@ inline constexpr auto light_traits = std::to_array<LightTraits>({
     {.feature = &RenderFeatures::punctual_lights, .infinite = true},               // distant
     {.feature = &RenderFeatures::ball_lights, .extended = true, .sized = "ball"},  // ball
     {.feature = &RenderFeatures::suns, .extended = true, .infinite = true, .sized = "sun"},  // sun
-    {.feature = &RenderFeatures::linear_lights, .extended = true, .line = true},     // segment
-    {.feature = &RenderFeatures::linear_lights, .extended = true},                   // capsule
-    {.feature = &RenderFeatures::rectangle_lights, .extended = true, .flat = true},  // rectangle
-    {.feature = &RenderFeatures::rectangle_lights, .extended = true, .flat = true},  // polygon
-    {.feature = &RenderFeatures::disk_lights, .extended = true, .flat = true},       // disk
+    {.feature = &RenderFeatures::linear_lights,
+     .extended = true,
+     .line = true,
+     .sampling = Sampling::lanes},  // segment
+    {.feature = &RenderFeatures::linear_lights,
+     .extended = true,
+     .sampling = Sampling::scalar},  // capsule
+    {.feature = &RenderFeatures::rectangle_lights,
+     .extended = true,
+     .flat = true,
+     .sampling = Sampling::solid_angle},  // rectangle
+    {.feature = &RenderFeatures::rectangle_lights,
+     .extended = true,
+     .flat = true,
+     .sampling = Sampling::scalar},                                             // polygon
+    {.feature = &RenderFeatures::disk_lights, .extended = true, .flat = true},  // disk
 });
 [[nodiscard]] constexpr const LightTraits& traits_of(LightShape shape) {
   return light_traits[static_cast<std::size_t>(shape)];

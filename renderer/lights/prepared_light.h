@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace asos {
@@ -104,6 +105,19 @@ struct LightSample {
 /// a segment emit equally in all directions.
 [[nodiscard]] LightSample sample_light(const PreparedLight& light, const Receiver& receiver,
                                        double u, double v);
+
+/// Returns the numbers of a sample for the kernels, of a shape with Sampling::scalar.
+[[nodiscard]] glm::vec4 sample_numbers(const PreparedLight& light, const Receiver& receiver,
+                                       double u, double v);
+
+/// Where a direction from a receiver hits a light or, from inside, leaves it; and the density of
+/// the light's samples there, by solid angle.
+struct SampledHit {
+  double distance = 0.0, density = 0.0;
+};
+/// Returns the hit of a direction with a light that has no other function for it in the kernels.
+[[nodiscard]] std::optional<SampledHit> sampled_hit(const PreparedLight& light,
+                                                    const Receiver& receiver, glm::dvec3 direction);
 
 /// The representative point of a light for its highlight: the light's point nearest to the mirrored
 /// view (Karis 2013, "Representative point method"; for a polygon the nearest point of its bounding

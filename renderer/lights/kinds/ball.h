@@ -15,16 +15,6 @@ struct LightGeometry<LightShape::ball> {
            point_form(light.position - receiver.position, receiver) * shown;
   }
 
-  static LightSample sample(const PreparedLight& light, const Receiver& receiver, double u,
-                            double v) {
-    const glm::dvec3 to_middle = light.position - receiver.position;
-    const double distance = glm::length(to_middle);
-    LightSample sample = distance <= light.radius ? sample_inside(light, receiver, to_middle, u, v)
-                                                  : sample_cap(light, receiver, to_middle, u, v);
-    sample.irradiance *= static_cast<float>(attenuation(light, receiver.position));
-    return sample;
-  }
-
   static void add_patches(const PreparedLight& light, const Receiver& receiver,
                           std::vector<LightPatch>& patches) {
     const glm::dvec3 to_middle = light.position - receiver.position;
@@ -75,39 +65,6 @@ struct LightGeometry<LightShape::ball> {
     const glm::dvec3 beside = to_middle - along * towards;
     const double within2 = light.radius * light.radius - glm::dot(beside, beside);
     return along - std::sqrt(std::max(0.0, within2) / length2);
-  }
-
- private:
-  /// From the inside, where light arrives from all directions, samples by the cosine to the
-  /// receiver's normal.
-  static LightSample sample_inside(const PreparedLight& light, const Receiver& receiver,
-                                   glm::dvec3 to_middle, double u, double v) {
-    const glm::dvec2 p = concentric(u, v);
-    const glm::dvec3 x_axis = any_perpendicular(receiver.normal);
-    const double up = std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)));
-    LightSample sample;
-    sample.direction =
-        p.x * x_axis + p.y * glm::cross(receiver.normal, x_axis) + up * receiver.normal;
-    const double along = glm::dot(sample.direction, to_middle);
-    const double power = light.radius * light.radius - glm::dot(to_middle, to_middle);
-    sample.distance = along + std::sqrt(along * along + std::max(0.0, power));
-    const bool above = glm::dot(sample.direction, receiver.geometric) > 0.0;
-    sample.irradiance = irradiance_of(light.power, above ? std::numbers::pi : 0.0);
-    return sample;
-  }
-
-  static LightSample sample_cap(const PreparedLight& light, const Receiver& receiver,
-                                glm::dvec3 to_middle, double u, double v) {
-    const double distance = glm::length(to_middle);
-    const double sine = light.radius / distance;
-    LightSample sample =
-        cone_sample(light, receiver, to_middle / distance, one_less_cosine(sine), u, v);
-    // Choose the near side of the ball. At its rim the root rounds to either side of 0.
-    const double along = glm::dot(sample.direction, to_middle);
-    const glm::dvec3 beside = to_middle - along * sample.direction;
-    sample.distance =
-        along - std::sqrt(std::max(0.0, light.radius * light.radius - glm::dot(beside, beside)));
-    return sample;
   }
 };
 

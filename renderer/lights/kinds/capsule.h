@@ -99,22 +99,22 @@ struct LightGeometry<LightShape::capsule> {
     return light.area / (2.0 * glm::length(light.half_u)) * line_form(begin, end, false, receiver);
   }
 
-  static LightSample sample(const PreparedLight& light, const Receiver& receiver, double u,
+  /// First to third: the sample relative to the receiver. Fourth: its form.
+  static glm::dvec4 numbers(const PreparedLight& light, const Receiver& receiver, double u,
                             double v) {
     const auto at = seen(light, receiver.position);
-    if (!at) return Ball::sample(nearest_ball(light, receiver.position), receiver, u, v);
+    if (!at) {
+      const PreparedLight ball = nearest_ball(light, receiver.position);
+      const auto sample = SharedGeometry<LightShape::ball>::sample(
+          SampleQuery<LightShape::ball>{ball, receiver, {u, v}});
+      return {sample.distance * sample.direction, sample.form};
+    }
     const CapsuleDirections directions(*at);
     const glm::dvec3 direction = directions.direction(u, v);
-    const double form = directions.solid_angle() * cosine_above(direction, receiver);
-    return {direction, entry(light, light.position - receiver.position, direction).distance,
-            irradiance_of(light.power, form)};
+    const double distance = entry(light, light.position - receiver.position, direction).distance;
+    return {distance * direction, directions.solid_angle() * cosine_above(direction, receiver)};
   }
 
-  /// Where a direction from a receiver hits the light or, from inside, leaves it; and the density
-  /// of `sample` there, by solid angle.
-  struct SampledHit {
-    double distance = 0.0, density = 0.0;
-  };
   static std::optional<SampledHit> sampled_hit(const PreparedLight& light, const Receiver& receiver,
                                                glm::dvec3 direction) {
     const glm::dvec3 to_middle = light.position - receiver.position;

@@ -10,13 +10,6 @@ struct LightGeometry<LightShape::disk> : FlatGeometry<LightGeometry<LightShape::
     return disk_form(light.position, behind ? -light.towards : light.towards, light.radius,
                      receiver);
   }
-  static LightSample sample(const PreparedLight& light, const Receiver& receiver, double u,
-                            double v) {
-    const glm::dvec2 p = concentric(u, v);
-    return area_sample(
-        light, receiver,
-        light.position - receiver.position + p.x * light.half_u + p.y * light.half_v);
-  }
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
     const glm::dvec3 d = p - light.position;
     return glm::dot(d, d) <= light.radius * light.radius;

@@ -34,19 +34,6 @@ struct FlatGeometry {
   }
 
  protected:
-  /// Returns a sample that was chosen by area.
-  static LightSample area_sample(const PreparedLight& light, const Receiver& receiver,
-                                 glm::dvec3 to_point) {
-    LightSample sample = sample_towards(to_point);
-    const double height = -glm::dot(to_point, light.towards);
-    if (!(sample.distance > 0.0) || !light.faces(height)) return sample;
-    const double seen = std::abs(height) / sample.distance;
-    const double form = light.area * seen * cosine_above(sample.direction, receiver) /
-                        (sample.distance * sample.distance);
-    sample.irradiance = irradiance_of(light.power, form);
-    return sample;
-  }
-
   static double outlines_form(const PreparedLight& light, const Receiver& receiver, bool behind) {
     double form = 0.0;
     for (const std::vector<glm::dvec3>& outline : light.outlines)

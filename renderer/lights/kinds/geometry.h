@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/lights/light_math.h"
+#include "renderer/lights/kinds/shared.h"
 #include "renderer/lights/light_patches.h"
 #include "renderer/lights/light_window.h"
 #include "renderer/lights/lights_without_geometry.h"
@@ -17,13 +17,11 @@
 namespace asos {
 
 /// The geometry of one shape. There is no general definition: a function that a shape lacks does
-/// not compile. All have `form`, the projected solid angle times the spot's cone and range,
-/// and `sample`. Shapes with an area have `add_patches` and `window`. Shapes with a
-/// surface have `meet` and `outlines`, and `way` if they are not flat.
+/// not compile. All have `form`, the projected solid angle times the spot's cone and range.
+/// Those with Sampling::scalar have `numbers`. Shapes with an area have `add_patches` and `window`.
+/// Shapes with a surface have `meet` and `outlines`, and `way` if they are not flat.
 template <LightShape shape>
 struct LightGeometry;
-
-constexpr double infinitely_far = std::numeric_limits<double>::infinity();
 
 /// Maps the unit square onto the unit disk. Preserves areas and neighbourhoods (Shirley and Chiu
 /// 1997).
@@ -38,37 +36,27 @@ inline glm::dvec2 concentric(double u, double v) {
   return {r * std::cos(angle), r * std::sin(angle)};
 }
 
-/// Returns a sample towards a point, without irradiance.
-inline LightSample sample_towards(glm::dvec3 to_point) {
-  LightSample sample;
-  sample.distance = glm::length(to_point);
-  if (sample.distance > 0.0) sample.direction = to_point / sample.distance;
-  return sample;
-}
+/// A sample of a light in double precision, for SharedGeometry; u and v are 0 to 1.
+template <LightShape shape>
+struct SampleQuery {
+  const PreparedLight& light;
+  const Receiver& receiver;
+  glm::dvec2 uv;
+  glm::dvec3 middle = light.position - receiver.position;
 
-/// Samples the directions within the cone about `axis`, uniformly by solid angle. one_less_cosine
-/// is 1 - cos of the cone's half angle.
-inline LightSample cone_sample(const PreparedLight& light, const Receiver& receiver,
-                               glm::dvec3 axis, double one_less_cosine, double u, double v) {
-  // 1 - cos of a cap is proportional to the disk's squared radius, and so is the disk's area.
-  const glm::dvec2 p = concentric(u, v);
-  const double drop = std::min(1.0, glm::dot(p, p)) * one_less_cosine;
-  const double stretch = std::sqrt((2.0 - drop) * one_less_cosine);
-  const glm::dvec3 x_axis = any_perpendicular(axis);
-  LightSample sample;
-  sample.direction =
-      (1.0 - drop) * axis + stretch * (p.x * x_axis + p.y * glm::cross(axis, x_axis));
-  sample.distance = infinitely_far;
-  const double form =
-      2.0 * std::numbers::pi * one_less_cosine * cosine_above(sample.direction, receiver);
-  sample.irradiance = irradiance_of(light.power, form);
-  return sample;
-}
-
-/// Returns 1 - cos of an angle, given its sine.
-inline double one_less_cosine(double sine) {
-  return sine * sine / (1.0 + std::sqrt((1.0 - sine) * (1.0 + sine)));
-}
+  [[nodiscard]] double u() const { return 2.0 * uv.x - 1.0; }
+  [[nodiscard]] double v() const { return 2.0 * uv.y - 1.0; }
+  [[nodiscard]] glm::dvec2 on_disk() const { return concentric(uv.x, uv.y); }
+  [[nodiscard]] static glm::dvec3 vector(glm::dvec3 v) { return v; }
+  [[nodiscard]] Numbers<double> numbers() const {
+    if constexpr (traits_of(shape).sampling != Sampling::scalar) {
+      return SharedGeometry<shape>::numbers(light, receiver, middle, uv.x);
+    } else {
+      const glm::dvec4 n = LightGeometry<shape>::numbers(light, receiver, uv.x, uv.y);
+      return {n.x, n.y, n.z, n.w};
+    }
+  }
+};
 
 /// Returns the form of a point light of one candela; 0 below either horizon.
 inline double point_form(glm::dvec3 to_light, const Receiver& receiver) {

@@ -9,16 +9,15 @@ struct LightGeometry<LightShape::polygon> : FlatGeometry<LightGeometry<LightShap
   static double physical_form(const PreparedLight& light, const Receiver& receiver, bool behind) {
     return outlines_form(light, receiver, behind);
   }
-  static LightSample sample(const PreparedLight& light, const Receiver& receiver, double u,
-                            double v) {
+  /// First to third: the place relative to the centre.
+  static glm::dvec4 numbers(const PreparedLight& light, const Receiver&, double u, double v) {
     const glm::dvec2 p = light.rows.point(u, v);
-    return area_sample(light, receiver,
-                       light.position - receiver.position + p.x * glm::normalize(light.half_u) +
-                           p.y * glm::normalize(light.half_v));
+    return {p.x * light.u_axis + p.y * light.v_axis, 0.0};
   }
+
   /// Returns whether the outlines wind around the point an odd number of times.
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
-    const glm::dvec3 u = glm::normalize(light.half_u), v = glm::normalize(light.half_v);
+    const glm::dvec3 u = light.u_axis, v = light.v_axis;
     const auto flat = [&](glm::dvec3 q) {
       return glm::dvec2(glm::dot(q - p, u), glm::dot(q - p, v));
     };
@@ -40,8 +39,8 @@ struct LightGeometry<LightShape::polygon> : FlatGeometry<LightGeometry<LightShap
                                  std::vector<LightPatch>& patches) {
     const double per_unit = 1.0 / glm::length(to_middle);
     LightPatch patch = centred_patch(light, to_middle, LightPatch::Kind::trapezoid);
-    patch.x = glm::vec3(glm::normalize(light.half_u));
-    patch.y = glm::vec3(glm::normalize(light.half_v));
+    patch.x = glm::vec3(light.u_axis);
+    patch.y = glm::vec3(light.v_axis);
     patch.facing = glm::vec3(light.towards);
     for (const PolygonRows::Row& row : light.rows.rows) {
       patch.foot = static_cast<float>(per_unit * row.y0);

@@ -1,9 +1,6 @@
 #pragma once
 
 #include "renderer/lights/kinds/flat.h"
-#include "renderer/lights/spherical_rectangle.h"
-
-#include <array>
 
 namespace asos {
 
@@ -11,26 +8,6 @@ template <>
 struct LightGeometry<LightShape::rectangle> : FlatGeometry<LightGeometry<LightShape::rectangle>> {
   static double physical_form(const PreparedLight& light, const Receiver& receiver, bool behind) {
     return outlines_form(light, receiver, behind);
-  }
-
-  static LightSample sample(const PreparedLight& light, const Receiver& receiver, double u,
-                            double v) {
-    const glm::dvec3 middle = light.position - receiver.position;
-    const double height = -glm::dot(middle, light.towards);
-    if (light.faces(height)) {
-      const std::array horizons{receiver.geometric, receiver.normal};
-      const SphericalRectangle rectangle(middle, light.half_u, light.half_v, horizons);
-      // Smaller solid angles have too few digits, and sampling by area is as good at that distance.
-      constexpr double least = 1e-5;
-      if (rectangle.solid_angle() > least) {
-        LightSample sample = sample_towards(rectangle.point(u, v));
-        const double form = rectangle.solid_angle() * cosine_above(sample.direction, receiver);
-        sample.irradiance = irradiance_of(light.power, form);
-        return sample;
-      }
-    }
-    return area_sample(light, receiver,
-                       middle + (2.0 * u - 1.0) * light.half_u + (2.0 * v - 1.0) * light.half_v);
   }
 
   static bool holds(const PreparedLight& light, glm::dvec3 p) {

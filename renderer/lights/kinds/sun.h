@@ -17,12 +17,6 @@ struct LightGeometry<LightShape::sun> {
     const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
     return cone_form(light.towards, light.radius * cosine, cosine, receiver);
   }
-  static LightSample sample(const PreparedLight& light, const Receiver& receiver, double u,
-                            double v) {
-    const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);
-    const double sine = light.radius * cosine;
-    return cone_sample(light, receiver, light.towards, sine * sine / (1.0 + cosine), u, v);
-  }
   static void add_patches(const PreparedLight& light, const Receiver&,
                           std::vector<LightPatch>& patches) {
     const double cosine = 1.0 / std::sqrt(1.0 + light.radius * light.radius);

@@ -1,11 +1,11 @@
+#include "renderer/lights/kinds/shared.h"
 #include "renderer/lights/prepared_light.h"
-#include "renderer/lights/spherical_rectangle.h"
+#include "renderer/scene/make_light.h"
 #include "tests/support/random_space.h"
 #include "tests/support/sample_lights.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -146,25 +146,32 @@ TEST(SampleLight, SamplesOnlyThePartAboveTheHorizons) {
   EXPECT_GT(share_above(leaning, {{0, 0, 0}, up, up}), 0.7);
 }
 
+/// Returns the solid angle of a rectangle's part above a horizon through the origin.
+double solid_angle(glm::dvec3 middle, glm::dvec3 u, glm::dvec3 v, glm::dvec3 horizon = {0, 0, -1}) {
+  const PreparedLight light = prepare_light(make_panel(middle, {0, 0, 1}, u, v));
+  const Receiver receiver{{}, horizon, horizon};
+  return SharedGeometry<LightShape::rectangle>::arcs(light, receiver, middle).solid_angle;
+}
+
 // The remaining part is as large as the part cut from it: two halves make the whole.
 TEST(SphericalRectangle, KeepsWhatIsAboveAHorizon) {
   const glm::dvec3 middle(0.2, -0.1, -1), u(0.8, 0, 0), v(0, 0.5, 0);
   const glm::dvec3 up = glm::normalize(glm::dvec3(0, 1, 0.05));
-  const std::array above{up}, below{-up}, beyond{glm::dvec3(0, 0, 1)};
-  const double all = SphericalRectangle(middle, u, v).solid_angle();
-  const double upper = SphericalRectangle(middle, u, v, above).solid_angle();
-  const double lower = SphericalRectangle(middle, u, v, below).solid_angle();
+  const double all = solid_angle(middle, u, v);
+  const double upper = solid_angle(middle, u, v, up);
+  const double lower = solid_angle(middle, u, v, -up);
   EXPECT_NEAR(upper + lower, all, 1e-12);
   EXPECT_GT(upper, 0.3 * all);
   EXPECT_LT(upper, 0.5 * all);
-  EXPECT_EQ(SphericalRectangle(middle, u, v, beyond).solid_angle(), all) << "all is below";
+  EXPECT_EQ(solid_angle(middle, u, v, {0, 0, 1}), all) << "all is below";
 }
 
 TEST(SphericalRectangle, HasTheSolidAngleOfACubesFace) {
-  const SphericalRectangle face({0, 0, -1}, {1, 0, 0}, {0, 1, 0});
-  EXPECT_NEAR(face.solid_angle(), 4.0 * std::numbers::pi / 6.0, 1e-14);
-  const glm::dvec3 middle = face.point(0.5, 0.5);
-  EXPECT_LT(glm::length(middle - glm::dvec3(0, 0, -1)), 1e-12);
+  EXPECT_NEAR(solid_angle({0, 0, -1}, {1, 0, 0}, {0, 1, 0}), 4.0 * std::numbers::pi / 6.0, 1e-14);
+  const PreparedLight light =
+      prepare_light(make_panel({0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}));
+  const LightSample sample = sample_light(light, {{}, {0, 0, -1}, {0, 0, -1}}, 0.5, 0.5);
+  EXPECT_LT(glm::length(sample.distance * sample.direction - glm::dvec3(0, 0, -1)), 1e-12);
 }
 
 }  // namespace
