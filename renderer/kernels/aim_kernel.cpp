@@ -15,7 +15,7 @@ template <LightShape shape>
 HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes& receiver,
                                 const LightArcs& arc, const LightPointBatch& places,
                                 std::size_t i) {
-  const Vectors middle = light.position - receiver.position + light.position_rest;
+  const Vectors middle = to_middle(light, receiver);
   const SampleQuery q{light, receiver, middle, arc, places, i};
   if constexpr (by_solid_angle<shape>) return SharedGeometry<shape>::place(q);
   return SharedGeometry<shape>::sample(q);
@@ -25,8 +25,7 @@ template <LightShape shape>
 void aim_at(const ShadingPoints& points, const LightConstants& light, const LightArcs& arc,
             const LightPointBatch& places, RayWeighting by, ShadowRayBatch& rays) {
   for (std::size_t i = 0; i < points.count; i += Lane::count()) {
-    const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
-                                 loaded(points.normal, i)};
+    const ReceiverLanes receiver = receivers(points, i);
     const SampleLanes sample = place_on<shape>(light, receiver, arc, places, i);
     const auto reached = LaneMask::first(points.count - i) && sample.form > 0.0f;
     if (none(reached)) continue;

@@ -46,9 +46,8 @@ template <LightShape shape>
 void shade_shape(const ShadingPoints& points, const LightConstants& light, const LightArcs& arc,
                  const LightPointBatch& places, ShadowRayBatch& rays) {
   for (std::size_t i = 0; i < points.count; i += Lane::count()) {
-    const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
-                                 loaded(points.normal, i)};
-    const Vectors middle = light.position - receiver.position + light.position_rest;
+    const ReceiverLanes receiver = receivers(points, i);
+    const Vectors middle = to_middle(light, receiver);
     const SampleLanes sample =
         SharedGeometry<shape>::sample(SampleQuery{light, receiver, middle, arc, places, i});
     const auto reached = LaneMask::first(points.count - i) && !(sample.form <= 0.0f);
@@ -68,15 +67,13 @@ template <LightShape shape>
 void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
                    const LightArcs& arc, ShadowRayBatch& rays) {
   for (std::size_t i = 0; i < points.count; i += Lane::count()) {
-    const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
-                                 loaded(points.normal, i)};
+    const ReceiverLanes receiver = receivers(points, i);
     const auto samples =
         LaneMask::first(points.count - i) && samples_lobe(points, light, receiver.normal, i);
     if (none(samples)) continue;
-    const Vectors middle = light.position - receiver.position + light.position_rest;
+    const Vectors middle = to_middle(light, receiver);
     const Vectors direction = loaded(lobes.direction, i);
-    const LightHitLanes met =
-        met_light(ShapeTag<shape>(), {light, receiver, middle, arc, direction, i});
+    const LightHitLanes met = met_light<shape>({light, receiver, middle, arc, direction, i});
     auto form = cosine_above(direction, receiver);
     const auto reached = samples && met.met && form > 0.0f;
     if (none(reached)) continue;
@@ -96,17 +93,19 @@ void shade_lobe_of(const ShadingPoints& points, const LightConstants& light, con
   }
 }
 
-/// Returns whether any direction hits a rectangle. Only then is its solid angle needed, which costs
-/// more.
+/// Returns whether any direction hits a light sampled by solid angle. Only then is the solid angle
+/// needed, which costs more.
 template <LightShape shape>
-bool any_meets_rectangle(const ShadingPoints& points, const LightConstants& light,
-                         const LobeBatch& lobes) {
+bool any_meets(const ShadingPoints& points, const LightConstants& light, const LobeBatch& lobes,
+               const LightArcs& arc) {
   for (std::size_t i = 0; i < points.count; i += Lane::count()) {
-    const Vectors normal = loaded(points.normal, i);
-    const Vectors middle = light.position - loaded(points.position, i) + light.position_rest;
-    const LightHitLanes met = meet_flat<shape>(light, middle, loaded(lobes.direction, i), 0.0f);
+    const ReceiverLanes receiver = receivers(points, i);
+    const Vectors middle = to_middle(light, receiver);
+    const Vectors direction = loaded(lobes.direction, i);
+    const LightHitLanes met = SharedFlat<SharedGeometry<shape>>::meet(
+        LobeQuery{light, receiver, middle, arc, direction, i});
     const auto samples =
-        LaneMask::first(points.count - i) && samples_lobe(points, light, normal, i);
+        LaneMask::first(points.count - i) && samples_lobe(points, light, receiver.normal, i);
     if (!none(samples && met.met)) return true;
   }
   return false;
@@ -120,7 +119,7 @@ void shade_lobe(const ShadingPoints& points, const LightConstants& light, const 
   with_shape(light.shape, [&](auto shape) HWY_ATTR {
     if constexpr (traits_of(shape).has_area()) {
       if constexpr (by_solid_angle<shape>) {
-        if (!any_meets_rectangle<shape>(points, light, lobes)) return;
+        if (!any_meets<shape>(points, light, lobes, arc)) return;
         find_arcs<shape>(points, *light.light, arc);
       }
       shade_lobe_of<shape>(points, light, lobes, arc, rays);
@@ -142,9 +141,8 @@ void shade_closed_form(const ShadingPoints& points, const LightConstants& light,
   rectangle_forms(points, *light.light, forms);
   find_places<shape>(points, *light.light, places, arc);
   for (std::size_t i = 0; i < points.count; i += Lane::count()) {
-    const ReceiverLanes receiver{loaded(points.position, i), loaded(points.geometric, i),
-                                 loaded(points.normal, i)};
-    const Vectors middle = light.position - receiver.position + light.position_rest;
+    const ReceiverLanes receiver = receivers(points, i);
+    const Vectors middle = to_middle(light, receiver);
     const auto form = loaded(forms.first, i);
     const auto reached = LaneMask::first(points.count - i) && !(form <= 0.0f);
     if (none(reached)) continue;

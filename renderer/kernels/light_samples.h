@@ -15,6 +15,13 @@ struct ReceiverLanes {
   Vectors position, geometric, normal;
 };
 
+HWY_INLINE ReceiverLanes receivers(const ShadingPoints& points, std::size_t i) {
+  return {loaded(points.position, i), loaded(points.geometric, i), loaded(points.normal, i)};
+}
+HWY_INLINE Vectors to_middle(const LightConstants& light, const ReceiverLanes& receiver) {
+  return light.position - receiver.position + light.position_rest;
+}
+
 using SampleLanes = SampleOf<Vectors>;
 HWY_INLINE SampleLanes selected(LaneMask mask, const SampleLanes& yes, const SampleLanes& no) {
   return {selected(mask, yes.direction, no.direction), selected(mask, yes.distance, no.distance),

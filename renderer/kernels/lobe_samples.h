@@ -67,93 +67,32 @@ struct LightHitLanes {
   LaneMask met;
 };
 
-HWY_INLINE LightHitLanes none_met() {
-  return {0.0f, 0.0f, LaneMask::first(0)};
-}
+/// A direction from a receiver to a light, with numbers as in SampleQuery.
+struct LobeQuery {
+  using Hit = LightHitLanes;
 
-HWY_INLINE LightHitLanes meet_cone(const Vectors& axis, Lane one_less_cosine,
-                                   const Vectors& direction) {
-  // Compare chords, since cosines near the axis have no digits left.
-  const Vectors chord = direction - axis;
-  const auto met = 0.5f * dot(chord, chord) <= one_less_cosine;
-  const auto density = 0.5f * std::numbers::inv_pi_v<float> / one_less_cosine;
-  return {infinity, density, met};
-}
+  const LightConstants& light;
+  const ReceiverLanes& receiver;
+  const Vectors& middle;
+  const LightArcs& arc;
+  const Vectors& direction;
+  std::size_t i;
 
-HWY_INLINE LightHitLanes meet_ball(const LightConstants& light, const ReceiverLanes& receiver,
-                                   const Vectors& middle, const Vectors& direction) {
-  const auto radius = light.radius;
-  const auto distance = length(middle);
-  const auto inside = distance <= radius;
-  const auto sine = radius / max(distance, radius);
-  const LightHitLanes cone =
-      meet_cone(middle / selected(inside, 1.0f, distance), one_less_cosine(sine), direction);
-  const auto along = dot(direction, middle);
-  const Vectors beside = middle - along * direction;
-  const auto depth2 = radius * radius - dot(beside, beside);
-  const auto half_chord = sqrt(max(0.0f, depth2));
-  const auto even = max(0.0f, dot(direction, receiver.normal)) * std::numbers::inv_pi_v<float>;
-  return {selected(inside, along + half_chord, along - half_chord),
-          selected(inside, even, cone.density), inside || cone.met};
-}
+  [[nodiscard]] HWY_INLINE Numbers<Lane> numbers() const { return {loaded(arc.first, i)}; }
+};
 
-/// `solid_angle`: of a light that is sampled by solid angle; else 0.
-template <LightShape shape>
-HWY_INLINE LightHitLanes meet_flat(const LightConstants& light, const Vectors& middle,
-                                   const Vectors& direction, Lane solid_angle) {
-  const Vectors towards = light.towards;
-  const auto cosine = -dot(direction, towards);
-  const auto height = -dot(middle, towards);
-  const auto along = light.two_sided ? cosine * height : cosine;
-  const auto beside = light.two_sided ? abs(height) : height;
-  auto met = along > 0.0f && beside > light.thickness;
-  if (none(met)) return none_met();
-  const auto distance = height / selected(met, cosine, 1.0f);
-  const Vectors hit = distance * direction - middle;
-  if constexpr (shape == LightShape::disk) {
-    met = met && dot(hit, hit) <= light.radius * light.radius;
-  } else {
-    const auto u = dot(hit, light.u_axis), v = dot(hit, light.v_axis);
-    met = met && abs(u) <= light.u_length && abs(v) <= light.v_length;
-  }
-  const auto area = light.area * abs(cosine);
-  const auto by_area = distance * distance / selected(met, area, 1.0f);
-  const auto by_angle = solid_angle > 0.0f;
-  return {distance, selected(by_angle, 1.0f / selected(by_angle, solid_angle, 1.0f), by_area), met};
-}
-
-/// Selects, among the directions that hit a polygon's bounding rectangle, those that hit the
-/// polygon.
-HWY_INLINE LaneMask meet_polygon(const LightConstants& light, const ReceiverLanes& receiver,
-                                 const Vectors& direction, const LaneMask& met) {
-  if (none(met)) return met;
-  ShadingPoints::Vectors from, to;
-  ShadingPoints::Floats wanted{};
-  store(receiver.position, from, 0);
-  store(direction, to, 0);
-  store(where(met, 1.0f), wanted, 0);
-  for (std::size_t k = 0; k < Lane::count(); ++k) {
-    if (wanted[k] == 0.0f) continue;
-    Ray ray;
-    ray.origin = from.at(k);
-    ray.direction = to.at(k);
-    if (!meet_light(*light.light, ray)) wanted[k] = 0.0f;
-  }
-  return loaded(wanted, 0) > 0.0f;
-}
-
-/// Tests each direction in double precision.
-HWY_INLINE LightHitLanes meet_capsule(const PreparedLight& light, const ReceiverLanes& receiver,
-                                      const Vectors& direction) {
+/// Tests directions one after another, in double precision.
+HWY_INLINE LightHitLanes scalar_hits(const LobeQuery& q, const LaneMask& wanted) {
   ShadingPoints::Vectors from, normal, to;
-  ShadingPoints::Floats distance{}, density{};
-  store(receiver.position, from, 0);
-  store(receiver.normal, normal, 0);
-  store(direction, to, 0);
+  ShadingPoints::Floats distance{}, density{}, some;
+  store(q.receiver.position, from, 0);
+  store(q.receiver.normal, normal, 0);
+  store(q.direction, to, 0);
+  store(where(wanted, 1.0f), some, 0);
   for (std::size_t k = 0; k < Lane::count(); ++k) {
-    const glm::dvec3 way(to.at(k));
+    if (some[k] == 0.0f) continue;
     const Receiver at{from.at(k), normal.at(k), normal.at(k)};
-    const auto hit = sampled_hit(light, at, way);
+    const auto hit = sampled_hit(*q.light.light, at, glm::dvec3(to.at(k)));
     if (!hit) continue;
     distance[k] = static_cast<float>(hit->distance);
     density[k] = static_cast<float>(hit->density);
@@ -161,35 +100,11 @@ HWY_INLINE LightHitLanes meet_capsule(const PreparedLight& light, const Receiver
   return {loaded(distance, 0), loaded(density, 0), loaded(distance, 0) > 0.0f};
 }
 
-/// Where a direction from a receiver hits a light.
-struct LobeQuery {
-  const LightConstants& light;
-  const ReceiverLanes& receiver;
-  const Vectors& middle;
-  const LightArcs& arc;
-  const Vectors& direction;
-  std::size_t i;
-};
-
-HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::sun>, const LobeQuery& q) {
-  return meet_cone(q.light.towards, q.light.one_less_cosine, q.direction);
-}
-HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::ball>, const LobeQuery& q) {
-  return meet_ball(q.light, q.receiver, q.middle, q.direction);
-}
-HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::capsule>, const LobeQuery& q) {
-  return meet_capsule(*q.light.light, q.receiver, q.direction);
-}
-HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::rectangle> shape, const LobeQuery& q) {
-  return meet_flat<shape>(q.light, q.middle, q.direction, loaded(q.arc.first, q.i));
-}
-HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::disk> shape, const LobeQuery& q) {
-  return meet_flat<shape>(q.light, q.middle, q.direction, 0.0f);
-}
-HWY_INLINE LightHitLanes met_light(ShapeTag<LightShape::polygon> shape, const LobeQuery& q) {
-  LightHitLanes found = meet_flat<shape>(q.light, q.middle, q.direction, 0.0f);
-  found.met = meet_polygon(q.light, q.receiver, q.direction, found.met);
-  return found;
+template <LightShape shape>
+HWY_INLINE LightHitLanes met_light(const LobeQuery& q) {
+  const LightHitLanes hit = SharedGeometry<shape>::meet(q);
+  if constexpr (traits_of(shape).sampling != Sampling::scalar) return hit;
+  return none(hit.met) ? hit : scalar_hits(q, hit.met);
 }
 
 }  // namespace asos::HWY_NAMESPACE

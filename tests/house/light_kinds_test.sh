@@ -4,7 +4,7 @@
 set -euo pipefail
 export LC_ALL=C
 cd -- "$1"
-most_files=8
+most_files=4
 only_switch=renderer/lights/light_shape.h
 kinds='point|spot|directional|distant|ball|sphere|sun|linear|segment|capsule|rectangle|polygon|disk'
 types='LightShape|Light::Type|LightType|LightKind'

@@ -11,8 +11,7 @@ struct LightGeometry<LightShape::disk> : FlatGeometry<LightGeometry<LightShape::
                      receiver);
   }
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
-    const glm::dvec3 d = p - light.position;
-    return glm::dot(d, d) <= light.radius * light.radius;
+    return SharedGeometry<LightShape::disk>::holds(light, p);
   }
   static LightOutlines outlines(const PreparedLight& light, std::optional<glm::dvec3>, glm::dvec3) {
     return {circle_outline(light.position, light.half_u, light.half_v)};

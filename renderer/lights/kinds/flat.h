@@ -29,7 +29,8 @@ struct FlatGeometry {
     const double slope = glm::dot(direction, light.towards);
     if (slope == 0.0 || (slope > 0.0 && !light.two_sided)) return std::nullopt;
     const double t = glm::dot(light.position - origin, light.towards) / slope;
-    if (!(t > 0.0) || !Shape::holds(light, origin + t * direction)) return std::nullopt;
+    if (!(t > 0.0) || !Shape::holds(light, origin + t * direction - light.position))
+      return std::nullopt;
     return t;
   }
 

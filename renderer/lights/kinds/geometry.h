@@ -18,8 +18,8 @@ namespace asos {
 
 /// The geometry of one shape. There is no general definition: a function that a shape lacks does
 /// not compile. All have `form`, the projected solid angle times the spot's cone and range.
-/// Those with Sampling::scalar have `numbers`. Shapes with an area have `add_patches` and `window`.
-/// Shapes with a surface have `meet` and `outlines`, and `way` if they are not flat.
+/// Shapes with Sampling::scalar have `numbers`. Shapes with an area have `add_patches` and
+/// `window`. Shapes with a surface have `meet` and `outlines`, and `way` if they are not flat.
 template <LightShape shape>
 struct LightGeometry;
 

@@ -19,7 +19,8 @@ struct LightGeometry<LightShape::polygon> : FlatGeometry<LightGeometry<LightShap
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
     const glm::dvec3 u = light.u_axis, v = light.v_axis;
     const auto flat = [&](glm::dvec3 q) {
-      return glm::dvec2(glm::dot(q - p, u), glm::dot(q - p, v));
+      const glm::dvec3 to = q - light.position - p;
+      return glm::dvec2(glm::dot(to, u), glm::dot(to, v));
     };
     bool in = false;
     for (const auto& outline : light.outlines) {
@@ -29,6 +30,13 @@ struct LightGeometry<LightShape::polygon> : FlatGeometry<LightGeometry<LightShap
       }
     }
     return in;
+  }
+
+  static std::optional<SampledHit> sampled_hit(const PreparedLight& light, const Receiver& receiver,
+                                               glm::dvec3 direction) {
+    const auto t = meet(light, receiver.position, direction);
+    if (!t) return std::nullopt;
+    return SampledHit{*t, *t * *t / (light.area * std::abs(glm::dot(direction, light.towards)))};
   }
 
   static LightOutlines outlines(const PreparedLight& light, std::optional<glm::dvec3>, glm::dvec3) {

@@ -11,9 +11,7 @@ struct LightGeometry<LightShape::rectangle> : FlatGeometry<LightGeometry<LightSh
   }
 
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
-    const glm::dvec3 d = p - light.position;
-    return std::abs(glm::dot(d, light.half_u)) <= glm::dot(light.half_u, light.half_u) &&
-           std::abs(glm::dot(d, light.half_v)) <= glm::dot(light.half_v, light.half_v);
+    return SharedGeometry<LightShape::rectangle>::holds(light, p);
   }
   static LightOutlines outlines(const PreparedLight& light, std::optional<glm::dvec3>, glm::dvec3) {
     const glm::dvec3 p = light.position, u = light.half_u, v = light.half_v;

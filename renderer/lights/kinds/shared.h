@@ -27,7 +27,8 @@ namespace asos {
 /// What all shapes have: `highlight`, as highlight_of, for the reflected view direction `ray`, and
 /// `sample`, as sample_light. A sample's query `q` has the light and the receiver; `middle`, the
 /// light's centre relative to the receiver; the sample as `u` and `v` in -1 to 1 or as a point
-/// `on_disk` (concentric); and the shape's `numbers`.
+/// `on_disk` (concentric); and the shape's `numbers`. Shapes with an area have `meet`: where the
+/// direction of a query hits the light, and the density of the samples there, by solid angle.
 template <LightShape shape>
 struct SharedGeometry;
 
@@ -83,6 +84,14 @@ ASOS_INLINE auto cone_sample(const auto& q, const auto& axis, const auto& one_le
   const auto direction = (1.0 - drop) * axis + stretch * (p.x * x_axis + p.y * cross(axis, x_axis));
   const auto solid_angle = 2.0 * std::numbers::pi * one_less_cosine;
   return SampleOf{direction, infinitely_far, solid_angle * cosine_above(direction, q.receiver)};
+}
+
+template <class Q>
+ASOS_INLINE typename Q::Hit meet_cone(const Q& q, const auto& axis, const auto& one_less_cosine) {
+  // Compare chords, since cosines near the axis have no digits left.
+  const auto chord = q.direction - axis;
+  return {infinitely_far, 0.5 * std::numbers::inv_pi / one_less_cosine,
+          0.5 * dot(chord, chord) <= one_less_cosine};
 }
 
 /// Returns 1 - cos of an angle, given its sine.
@@ -185,6 +194,22 @@ struct SharedGeometry<LightShape::ball> {
     sample.form = sample.form * attenuation_towards(q.light, q.middle);
     return sample;
   }
+  template <class Q>
+  static ASOS_INLINE typename Q::Hit meet(const Q& q) {
+    using std::max, std::sqrt;
+    const auto radius = q.light.radius;
+    const auto distance = length(q.middle);
+    const auto inside = distance <= radius;
+    const auto sine = radius / max(distance, radius);
+    const auto cone =
+        meet_cone(q, q.middle / selected(inside, 1.0, distance), one_less_cosine(sine));
+    const auto along = dot(q.direction, q.middle);
+    const auto beside = q.middle - along * q.direction;
+    const auto half_chord = sqrt(max(0.0, radius * radius - dot(beside, beside)));
+    const auto even = max(0.0, dot(q.direction, q.receiver.normal)) * std::numbers::inv_pi;
+    return {along - selected(inside, -half_chord, half_chord), selected(inside, even, cone.density),
+            inside || cone.met};
+  }
 
  private:
   /// From the inside, where light arrives from all directions, samples by the cosine to the
@@ -212,6 +237,10 @@ struct SharedGeometry<LightShape::sun> {
   }
   static ASOS_INLINE auto sample(const auto& q) {
     return cone_sample(q, q.vector(q.light.towards), q.light.one_less_cosine);
+  }
+  template <class Q>
+  static ASOS_INLINE typename Q::Hit meet(const Q& q) {
+    return meet_cone(q, q.light.towards, q.light.one_less_cosine);
   }
 };
 
@@ -269,9 +298,18 @@ struct SharedGeometry<LightShape::capsule> {
     sample.form = form;
     return sample;
   }
+  /// Finds directions that may hit the light: those that hit the ball around it.
+  template <class Q>
+  static ASOS_INLINE typename Q::Hit meet(const Q& q) {
+    constexpr float wider = 1.001f;
+    const auto reach = wider * (q.light.radius + q.light.u_length);
+    const auto beside = q.middle - dot(q.middle, q.direction) * q.direction;
+    return {0.0, 0.0, dot(beside, beside) <= reach * reach};
+  }
 };
 
-/// Shared by the shapes in a plane. `Shape` has `nearest`, to a point relative to the centre.
+/// Shared by the shapes in a plane. `Shape` has `nearest`, to a point relative to the centre, and
+/// `holds`, for a point of the plane.
 template <class Shape>
 struct SharedFlat {
   static ASOS_INLINE auto highlight(const auto& light, const auto& to_middle, const auto& ray) {
@@ -283,6 +321,26 @@ struct SharedFlat {
     using std::clamp;
     return clamp(dot(hit, light.u_axis), -light.u_length, light.u_length) * light.u_axis +
            clamp(dot(hit, light.v_axis), -light.v_length, light.v_length) * light.v_axis;
+  }
+  /// Returns whether the bounding rectangle holds a point.
+  static ASOS_INLINE auto holds(const auto& light, const auto& p) {
+    using std::abs;
+    return abs(dot(p, light.u_axis)) <= light.u_length &&
+           abs(dot(p, light.v_axis)) <= light.v_length;
+  }
+  /// Finds the hit as for samples by area.
+  template <class Q>
+  static ASOS_INLINE typename Q::Hit meet(const Q& q) {
+    using std::abs;
+    const auto cosine = -dot(q.direction, q.light.towards);
+    const auto height = -dot(q.middle, q.light.towards);
+    const auto along = q.light.two_sided ? cosine * height : cosine;
+    const auto beside = q.light.two_sided ? abs(height) : height;
+    auto met = along > 0.0 && beside > q.light.thickness;
+    if (none(met)) return {0.0, 0.0, met};
+    const auto distance = height / selected(met, cosine, 1.0);
+    met = met && Shape::holds(q.light, distance * q.direction - q.middle);
+    return {distance, distance * distance / selected(met, q.light.area * abs(cosine), 1.0), met};
   }
   /// Returns a sample that was chosen by area.
   static ASOS_INLINE auto area_sample(const auto& q, const auto& to_point) {
@@ -312,7 +370,7 @@ struct SharedFlat {
 
 template <>
 struct SharedGeometry<LightShape::rectangle> : SharedFlat<SharedGeometry<LightShape::rectangle>> {
-  /// Of the part that may be above the receiver's horizons (Urena, Fajardo and King 2013, "An
+  /// The part that may be above the receiver's horizons (Urena, Fajardo and King 2013, "An
   /// Area-Preserving Parametrization for Spherical Rectangles"; here sums of angles are products of
   /// unit complex numbers).
   template <class N>
@@ -388,6 +446,14 @@ struct SharedGeometry<LightShape::rectangle> : SharedFlat<SharedGeometry<LightSh
     sample.form = solid_angle * cosine_above(sample.direction, q.receiver);
     return all(by_angle) ? sample : selected(by_angle, sample, by_area);
   }
+  template <class Q>
+  static ASOS_INLINE typename Q::Hit meet(const Q& q) {
+    auto hit = SharedFlat<SharedGeometry>::meet(q);
+    const auto solid_angle = q.numbers().first;
+    const auto by_angle = solid_angle > 0.0;
+    hit.density = selected(by_angle, 1.0 / selected(by_angle, solid_angle, 1.0), hit.density);
+    return hit;
+  }
   /// Samples by area.
   static ASOS_INLINE auto place(const auto& q) {
     return area_sample(q, q.middle + q.u() * q.light.half_u + q.v() * q.light.half_v);
@@ -433,6 +499,9 @@ struct SharedGeometry<LightShape::disk> : SharedFlat<SharedGeometry<LightShape::
     const auto distance = length(flat);
     const auto beyond = distance > light.radius;
     return selected(beyond, light.radius / selected(beyond, distance, 1.0), 1.0) * flat;
+  }
+  static ASOS_INLINE auto holds(const auto& light, const auto& p) {
+    return dot(p, p) <= light.radius * light.radius;
   }
   static ASOS_INLINE auto sample(const auto& q) {
     const auto p = q.on_disk();
