@@ -80,20 +80,23 @@ void find_places(const ShadingPoints& points, const PreparedLight& light,
     find_arcs<shape>(points, light, found);
     find_slopes<shape>(points, places, found);
   }
-  if constexpr (by == Sampling::lanes) {
+  constexpr bool in_lanes = by == Sampling::lanes || by == Sampling::lanes_or_scalar;
+  if constexpr (in_lanes) {
     for (std::size_t i = 0; i < points.count; i += DoubleLane::count()) {
       const DoubleReceivers receiver{doubles(points.geometric, i), doubles(points.normal, i)};
-      const auto numbers = SharedGeometry<shape>::numbers(
-          light, receiver, to_middle(points, i, light.position), fractions(&places.u[i]));
+      const auto numbers =
+          SharedGeometry<shape>::numbers(light, receiver, to_middle(points, i, light.position),
+                                         fractions(&places.u[i]), fractions(&places.v[i]));
       store_floats(numbers.first, &found.first[i]);
       store_floats(numbers.second, &found.second[i]);
       store_floats(numbers.third, &found.third[i]);
       store_floats(numbers.fourth, &found.fourth[i]);
     }
   }
-  if constexpr (by == Sampling::scalar) {
+  if constexpr (traits_of(shape).needs_scalar()) {
     constexpr double scale = 1.0 / 4294967296.0;
     for (std::size_t i = 0; i < points.count; ++i) {
+      if (in_lanes && !(found.fourth[i] < 0.0f)) continue;
       const Receiver receiver{points.position.at(i), points.normal.at(i), points.geometric.at(i)};
       const glm::vec4 n = sample_numbers(light, receiver, scale * places.u[i], scale * places.v[i]);
       found.first[i] = n.x, found.second[i] = n.y, found.third[i] = n.z, found.fourth[i] = n.w;

@@ -60,11 +60,6 @@ HWY_INLINE Vectors any_perpendicular(const Vectors& axis) {
   return 1.0f / sqrt(dot(across, across)) * across;
 }
 
-HWY_INLINE Lane cosine_above(const Vectors& direction, const ReceiverLanes& receiver) {
-  const auto above = dot(direction, receiver.geometric) > 0.0f;
-  return where(above, max(dot(direction, receiver.normal), 0.0f));
-}
-
 template <LightShape shape>
 inline constexpr bool by_solid_angle = traits_of(shape).sampling == Sampling::solid_angle;
 

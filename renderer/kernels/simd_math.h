@@ -206,6 +206,28 @@ HWY_INLINE LaneOf<D> arc_tangent(LaneOf<D> y, LaneOf<D> x) {
   return copysign(angle, y);
 }
 
+template <class D>
+HWY_INLINE LaneOf<D> asin(LaneOf<D> x) {
+  return arc_tangent(x, sqrt((1.0 - x) * (1.0 + x)));
+}
+template <class D>
+HWY_INLINE LaneOf<D> hypot(LaneOf<D> x, LaneOf<D> y) {
+  return sqrt(x * x + y * y);
+}
+
+/// Cube root of 0 or a positive number, in double precision. Newton's method starts at a third of
+/// the exponent, in single precision.
+template <class D>
+HWY_INLINE LaneOf<D> cbrt(LaneOf<D> x) {
+  const hn::Rebind<float, D> df;
+  const hn::RebindToSigned<decltype(df)> di;
+  const auto bits = hn::ConvertTo(df, hn::BitCast(di, hn::DemoteTo(df, x.raw)));
+  const auto third = hn::Add(hn::Mul(bits, hn::Set(df, 1.0f / 3.0f)), hn::Set(df, 709921077.0f));
+  LaneOf<D> root = hn::PromoteTo(D(), hn::BitCast(df, hn::ConvertTo(di, third)));
+  for (int i = 0; i < 5; ++i) root = (2.0 * root + x / (root * root)) * (1.0 / 3.0);
+  return where(x > 0.0, root);
+}
+
 }  // namespace asos::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "renderer/lights/receiver.h"
-
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -9,13 +7,6 @@
 #include <limits>
 
 namespace asos {
-
-/// Returns the cosine of `direction` (unit) to the receiver's normal; 0 below either of its
-/// horizons.
-[[nodiscard]] inline double cosine_above(glm::dvec3 direction, const Receiver& receiver) {
-  if (!(glm::dot(direction, receiver.geometric) > 0.0)) return 0.0;
-  return std::max(0.0, glm::dot(direction, receiver.normal));
-}
 
 /// Returns power times form, limited to the largest float, which it exceeds next to a point light.
 [[nodiscard]] inline glm::vec3 irradiance_of(glm::vec3 power, double form) {

@@ -24,10 +24,11 @@ enum class LightShape : std::uint8_t {
 
 /// How samples find the numbers that they need in double precision.
 enum class Sampling : std::uint8_t {
-  direct,       ///< they need none
-  lanes,        ///< in lanes, for all points at once
-  solid_angle,  ///< in lanes, partly the same for all samples of a point
-  scalar,       ///< for one point after another
+  direct,           ///< they need none
+  lanes,            ///< in lanes, for all points at once
+  solid_angle,      ///< in lanes, partly the same for all samples of a point
+  scalar,           ///< for one point after another
+  lanes_or_scalar,  ///< in lanes where that is possible
 };
 
 /// Properties of a shape.
@@ -39,6 +40,11 @@ struct LightTraits {
   bool line = false;              ///< without width: no direction hits it
   const char* sized = nullptr;    ///< its own name in `asos info`; null: counted by type alone
   Sampling sampling = Sampling::direct;
+
+  /// Returns whether scalar code finds samples and hits, at least of some points.
+  [[nodiscard]] constexpr bool needs_scalar() const {
+    return sampling == Sampling::scalar || sampling == Sampling::lanes_or_scalar;
+  }
 
   /// Returns whether the light has a radiance, which highlights of narrow lobes show.
   [[nodiscard]] constexpr bool has_area() const { return extended && !line; }
@@ -58,7 +64,7 @@ inline constexpr auto light_traits = std::to_array<LightTraits>({
      .sampling = Sampling::lanes},  // segment
     {.feature = &RenderFeatures::linear_lights,
      .extended = true,
-     .sampling = Sampling::scalar},  // capsule
+     .sampling = Sampling::lanes_or_scalar},  // capsule
     {.feature = &RenderFeatures::rectangle_lights,
      .extended = true,
      .flat = true,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/lights/kinds/capsule_directions.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -12,27 +14,9 @@
 
 namespace asos {
 
-/// A capsule (all points within a radius of a segment) as seen from outside of the infinite
-/// cylinder around it. The silhouette has two straight sides and an arc around each end. It is
-/// symmetrical about the plane through the receiver and the axis. Longitudes are angles in that
-/// plane from the foot of the receiver's perpendicular to the axis, and increase along the axis.
-struct SeenCapsule {
-  /// The ball at an end. The arc is its part of the circle in which the receiver's cone touches the
-  /// ball: the angles up to `arc` to both sides of `outward`.
-  struct End {
-    glm::dvec3 centre;         ///< relative to the receiver
-    glm::dvec3 axis, outward;  ///< unit: to the centre, and perpendicular, away from the middle
-    double along = 0.0;        ///< from the foot to the centre, along the axis
-    double sine = 0.0;         ///< of the ball's half angle
-    double cosine = 1.0;       ///< of the ball's half angle
-    double arc = 0.0;          ///< radians
-    [[nodiscard]] double one_less_cosine() const { return sine * sine / (1.0 + cosine); }
-  };
-
-  glm::dvec3 foot, along, across;  ///< unit axes; across = foot x along
-  double radius = 0.0, height = 0.0;
-  double sine = 0.0, cosine = 1.0;  ///< of half the angle between the planes of the sides
-  std::array<End, 2> ends;          ///< at the axis's begin and end
+/// A capsule in double precision, with its silhouette.
+struct SeenCapsule : SeenCapsuleOf<glm::dvec3> {
+  using SeenCapsuleOf::SeenCapsuleOf;
 
   /// Returns nothing for a receiver within the infinite cylinder. It sees one ball:
   /// see `nearest_of_axis`.
@@ -62,35 +46,8 @@ struct SeenCapsule {
 
 inline std::optional<SeenCapsule> SeenCapsule::of(glm::dvec3 to_middle, glm::dvec3 half,
                                                   double radius) {
-  SeenCapsule seen;
-  seen.radius = radius;
-  const double half_length = glm::length(half);
-  seen.along = half / half_length;
-  // Start at the nearer end, since the other may be so far that the foot would lose digits.
-  const double side = glm::dot(to_middle, half) > 0.0 ? -1.0 : 1.0;
-  const glm::dvec3 nearer = to_middle + side * half;
-  const double along = glm::dot(nearer, seen.along);
-  const glm::dvec3 foot = nearer - along * seen.along;
-  seen.height = glm::length(foot);
-  seen.foot = foot / seen.height;
-  seen.across = glm::cross(seen.foot, seen.along);
-  seen.sine = radius / seen.height;
-  if (!(seen.sine < 1.0)) return std::nullopt;
-  seen.cosine = std::sqrt((1.0 - seen.sine) * (1.0 + seen.sine));
-  for (const std::size_t i : {0, 1}) {
-    End& end = seen.ends[i];
-    const double outward = i == 1 ? 1.0 : -1.0;
-    end.along = along + (outward - side) * half_length;
-    end.centre = foot + end.along * seen.along;
-    const double distance = std::hypot(seen.height, end.along);
-    const double cosine = seen.height / distance, sine = end.along / distance;
-    end.axis = cosine * seen.foot + sine * seen.along;
-    end.outward = outward * (cosine * seen.along - sine * seen.foot);
-    end.sine = radius / distance;
-    end.cosine = std::sqrt((1.0 - end.sine) * (1.0 + end.sine));
-    end.arc = std::atan2(seen.cosine, outward * seen.sine * sine);
-  }
-  return seen;
+  const SeenCapsule seen(to_middle, half, radius);
+  return seen.sine < 1.0 ? std::optional(seen) : std::nullopt;
 }
 
 inline std::array<int, 2> SeenCapsule::half_sides(int sides) const {

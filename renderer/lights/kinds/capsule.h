@@ -8,80 +8,11 @@
 
 namespace asos {
 
-/// Directions to a capsule, uniform by solid angle: a longitude, then the sine of the latitude. The
-/// part between the arcs has a closed form; on an arc, Newton's method finds the longitude.
-class CapsuleDirections {
- public:
-  explicit CapsuleDirections(const SeenCapsule& seen) : seen_(seen) {
-    for (const std::size_t i : {0, 1}) {
-      const SeenCapsule::End& end = seen.ends[i];
-      const double far = std::hypot(end.along, seen.height * seen.cosine * seen.cosine);
-      side_[i] = std::asin(seen.sine * (end.along / far));
-      arc_[i] = area_to(end, std::atan2(end.cosine * std::sin(end.arc), std::cos(end.arc)));
-    }
-    all_ = arc_[0] + arc_[1] + (side_[1] - side_[0]);
-  }
-
-  [[nodiscard]] double solid_angle() const { return 2.0 * all_; }
-
-  /// Returns a unit direction. Its density by solid angle is 1 / solid_angle().
-  [[nodiscard]] glm::dvec3 direction(double u, double v) const {
-    const double before = u * all_, behind = (1.0 - u) * all_;
-    if (before < arc_[0]) return on_end(seen_.ends[0], before, v);
-    if (behind < arc_[1]) return on_end(seen_.ends[1], behind, v);
-    const double angle = std::min(side_[0] + (before - arc_[0]), side_[1]);
-    const double sine = std::clamp(std::sin(angle) / seen_.sine, -1.0, 1.0);
-    const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-    const double widest = std::min(1.0, seen_.sine * cosine / std::cos(angle));
-    return spread(cosine * seen_.foot + sine * seen_.along, widest, v);
-  }
-
- private:
-  // Areas are halves of solid angles: on one side of the plane through the axis.
-
-  /// Returns the area between the tip of an end's arc and a longitude: the ball's half angle and
-  /// the longitude from the ball's centre have sines in the ratio 1 to cos(angle).
-  static double area_to(const SeenCapsule::End& end, double angle) {
-    const double s = std::sin(angle), c = std::cos(angle), less = end.one_less_cosine();
-    return less * std::atan2(s, c * end.cosine) -
-           std::atan2(c * s * less, s * s + c * c * end.cosine);
-  }
-  /// Returns the inverse of area_to. The area grows with the cube of a small angle, so the
-  /// iteration compares cube roots. Half of the ball is symmetrical to the other.
-  static double angle_of(const SeenCapsule::End& end, double area) {
-    const double whole = std::numbers::pi * end.one_less_cosine();
-    if (area > 0.5 * whole) return std::numbers::pi - angle_of(end, std::max(0.0, whole - area));
-    const double root = std::cbrt(area);
-    double angle = 0.5 * std::cbrt(6.0 * std::numbers::pi * (area / whole));
-    for (int i = 0; i < 4 && angle > 1e-4; ++i) {
-      const double s = std::sin(angle), x = end.sine * std::cos(angle);
-      const double slope = end.sine * end.sine * s * s / ((1.0 - x) * (1.0 + x));
-      const double now = std::cbrt(std::max(0.0, area_to(end, angle)));
-      angle -= (now - root) * 3.0 * now * now / slope;
-    }
-    return std::clamp(angle, 0.0, 0.5 * std::numbers::pi);
-  }
-
-  [[nodiscard]] glm::dvec3 on_end(const SeenCapsule::End& end, double area, double v) const {
-    const double angle = angle_of(end, area);
-    const double sine = end.sine * std::cos(angle);
-    const double cosine = std::sqrt((1.0 - sine) * (1.0 + sine));
-    return spread(cosine * end.axis + sine * end.outward, end.sine * std::sin(angle) / cosine, v);
-  }
-  [[nodiscard]] glm::dvec3 spread(glm::dvec3 flat, double widest, double v) const {
-    const double sine = (2.0 * v - 1.0) * widest;
-    return std::sqrt((1.0 - sine) * (1.0 + sine)) * flat + sine * seen_.across;
-  }
-
-  SeenCapsule seen_;
-  std::array<double, 2> side_{}, arc_{};  // areas: from the foot to the arc, and within it
-  double all_ = 0.0;
-};
-
 /// Within the infinite cylinder around a capsule, all of it but one ball is hidden.
 template <>
 struct LightGeometry<LightShape::capsule> {
   using Ball = LightGeometry<LightShape::ball>;
+  using Shared = SharedGeometry<LightShape::capsule>;
 
   static std::optional<SeenCapsule> seen(const PreparedLight& light, glm::dvec3 position) {
     return SeenCapsule::of(light.position - position, light.half_u, light.radius);
@@ -99,37 +30,32 @@ struct LightGeometry<LightShape::capsule> {
     return light.area / (2.0 * glm::length(light.half_u)) * line_form(begin, end, false, receiver);
   }
 
-  /// First to third: the sample relative to the receiver. Fourth: its form.
+  /// As SharedGeometry's, from inside the infinite cylinder, too.
   static glm::dvec4 numbers(const PreparedLight& light, const Receiver& receiver, double u,
                             double v) {
-    const auto at = seen(light, receiver.position);
-    if (!at) {
-      const PreparedLight ball = nearest_ball(light, receiver.position);
-      const auto sample = SharedGeometry<LightShape::ball>::sample(
-          SampleQuery<LightShape::ball>{ball, receiver, {u, v}});
-      return {sample.distance * sample.direction, sample.form};
-    }
-    const CapsuleDirections directions(*at);
-    const glm::dvec3 direction = directions.direction(u, v);
-    const double distance = entry(light, light.position - receiver.position, direction).distance;
-    return {distance * direction, directions.solid_angle() * cosine_above(direction, receiver)};
+    const auto found = Shared::numbers(light, receiver, light.position - receiver.position, u, v);
+    if (!(found.fourth < 0.0)) return {found.first, found.second, found.third, found.fourth};
+    using BallQuery = SampleQuery<LightShape::ball>;
+    const PreparedLight ball = nearest_ball(light, receiver.position);
+    const auto sample = SharedGeometry<LightShape::ball>::sample(BallQuery{ball, receiver, {u, v}});
+    return {sample.distance * sample.direction, sample.form};
   }
 
   static std::optional<SampledHit> sampled_hit(const PreparedLight& light, const Receiver& receiver,
                                                glm::dvec3 direction) {
     const glm::dvec3 to_middle = light.position - receiver.position;
-    const Entry at = entry(light, to_middle, direction);
+    const auto at = Shared::entry(light, to_middle, direction);
     const glm::dvec3 to_ball = SeenCapsule::nearest_of_axis(to_middle, light.half_u);
     const double distance = glm::length(to_ball);
     if (distance <= light.radius) {
       const double cosine = std::max(0.0, glm::dot(direction, receiver.normal));
-      return SampledHit{
-          2.0 * glm::dot(direction, to_ball) - into_ball(to_ball, light.radius, direction).distance,
-          cosine * std::numbers::inv_pi};
+      return SampledHit{2.0 * glm::dot(direction, to_ball) -
+                            entry_into_ball(to_ball, light.radius, direction).distance,
+                        cosine * std::numbers::inv_pi};
     }
     if (!at.met || !(at.distance > 0.0)) return std::nullopt;
     if (const auto outside = seen(light, receiver.position))
-      return SampledHit{at.distance, 1.0 / CapsuleDirections(*outside).solid_angle()};
+      return SampledHit{at.distance, 1.0 / CapsuleDirections<glm::dvec3>(*outside).solid_angle()};
     const double one_less = one_less_cosine(light.radius / distance);
     return SampledHit{at.distance, 0.5 * std::numbers::inv_pi / one_less};
   }
@@ -171,7 +97,7 @@ struct LightGeometry<LightShape::capsule> {
 
   static std::optional<double> meet(const PreparedLight& light, glm::dvec3 origin,
                                     glm::dvec3 direction) {
-    const Entry at = entry(light, light.position - origin, direction);
+    const auto at = Shared::entry(light, light.position - origin, direction);
     return at.met ? std::optional(at.distance) : std::nullopt;
   }
 
@@ -196,42 +122,10 @@ struct LightGeometry<LightShape::capsule> {
 
   static double way(const PreparedLight& light, glm::dvec3 from, glm::dvec3 towards) {
     const double length = glm::length(towards);
-    return entry(light, light.position - from, towards / length).distance / length;
+    return Shared::entry(light, light.position - from, towards / length).distance / length;
   }
 
  private:
-  /// Where a ray enters, and whether it does; otherwise the distance is about that of its nearest
-  /// point.
-  struct Entry {
-    double distance = 0.0;
-    bool met = false;
-  };
-  static Entry into_ball(glm::dvec3 to_centre, double radius, glm::dvec3 direction) {
-    const double along = glm::dot(to_centre, direction);
-    const glm::dvec3 beside = to_centre - along * direction;
-    const double under = radius * radius - glm::dot(beside, beside);
-    return {along - std::sqrt(std::max(0.0, under)), under > 0.0};
-  }
-  static Entry entry(const PreparedLight& light, glm::dvec3 to_middle, glm::dvec3 direction) {
-    const double half = glm::length(light.half_u);
-    const glm::dvec3 axis = light.half_u / half;
-    const double slope = glm::dot(direction, axis);
-    // Look for the ray's entry into the infinite cylinder.
-    const glm::dvec3 flat = direction - slope * axis;
-    const glm::dvec3 foot = to_middle - glm::dot(to_middle, axis) * axis;
-    const double flat2 = glm::dot(flat, flat);
-    const glm::dvec3 steep_end = to_middle + (slope > 0.0 ? -1.0 : 1.0) * light.half_u;
-    if (!(flat2 > 1e-20)) return into_ball(steep_end, light.radius, direction);
-    const double nearest = glm::dot(foot, flat) / flat2;
-    const glm::dvec3 beside = foot - nearest * flat;
-    const double under = light.radius * light.radius - glm::dot(beside, beside);
-    const double distance = nearest - std::sqrt(std::max(0.0, under) / flat2);
-    const double place = distance * slope - glm::dot(to_middle, axis);
-    if (std::abs(place) <= half) return {distance, under > 0.0};
-    return into_ball(to_middle + (place > 0.0 ? 1.0 : -1.0) * light.half_u, light.radius,
-                     direction);
-  }
-
   static std::vector<glm::dvec3> outline_of(const SeenCapsule& seen, int sides) {
     auto [begin, end] = seen.silhouette(seen.half_sides(sides));
     end.insert(end.end(), begin.rbegin(), begin.rend());

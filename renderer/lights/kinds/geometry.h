@@ -49,8 +49,8 @@ struct SampleQuery {
   [[nodiscard]] glm::dvec2 on_disk() const { return concentric(uv.x, uv.y); }
   [[nodiscard]] static glm::dvec3 vector(glm::dvec3 v) { return v; }
   [[nodiscard]] Numbers<double> numbers() const {
-    if constexpr (traits_of(shape).sampling != Sampling::scalar) {
-      return SharedGeometry<shape>::numbers(light, receiver, middle, uv.x);
+    if constexpr (!traits_of(shape).needs_scalar()) {
+      return SharedGeometry<shape>::numbers(light, receiver, middle, uv.x, uv.y);
     } else {
       const glm::dvec4 n = LightGeometry<shape>::numbers(light, receiver, uv.x, uv.y);
       return {n.x, n.y, n.z, n.w};

@@ -8,6 +8,7 @@
 #define ASOS_LIGHTS_KINDS_SHARED_H
 #endif
 
+#include "renderer/lights/kinds/capsule_directions.h"
 #include "renderer/lights/lane_choices.h"
 #include "renderer/lights/light_math.h"
 #include "renderer/lights/prepared_light.h"
@@ -51,6 +52,13 @@ struct SampleOf {
 template <class V, class... N>
 SampleOf(V, N...) -> SampleOf<V>;
 
+/// Returns the cosine of `direction` (unit) to the receiver's normal; 0 below either of its
+/// horizons.
+ASOS_INLINE auto cosine_above(const auto& direction, const auto& receiver) {
+  using std::max;
+  return where(dot(direction, receiver.geometric) > 0.0, max(0.0, dot(direction, receiver.normal)));
+}
+
 /// Returns a sample at a point, without form. At the receiver itself it has no direction.
 ASOS_INLINE auto sample_towards(const auto& to_point) {
   const auto distance = length(to_point);
@@ -92,6 +100,23 @@ ASOS_INLINE typename Q::Hit meet_cone(const Q& q, const auto& axis, const auto& 
   const auto chord = q.direction - axis;
   return {infinitely_far, 0.5 * std::numbers::inv_pi / one_less_cosine,
           0.5 * dot(chord, chord) <= one_less_cosine};
+}
+
+/// Where a ray enters, and whether it does; otherwise the distance is about that of its nearest
+/// point.
+template <class N>
+struct Entry {
+  N distance;
+  decltype(N() > N()) met;
+};
+template <class V>
+ASOS_INLINE Entry<decltype(V::x)> entry_into_ball(const V& to_centre, double radius,
+                                                  const V& direction) {
+  using std::max, std::sqrt;
+  const auto along = dot(to_centre, direction);
+  const V beside = to_centre - along * direction;
+  const auto under = radius * radius - dot(beside, beside);
+  return {along - sqrt(max(0.0, under)), under > 0.0};
 }
 
 /// Returns 1 - cos of an angle, given its sine.
@@ -254,7 +279,7 @@ struct SharedGeometry<LightShape::segment> {
   /// ds / du there, by the physical rule times the line's distance.
   template <class V>
   static ASOS_INLINE auto numbers(const PreparedLight& light, const auto&, const V& middle,
-                                  const auto& u) {
+                                  const auto& u, const auto&) {
     using std::clamp, std::sqrt;
     const double length = 2.0 * light.u_length;
     const auto ahead = dot(middle, light.u_axis);
@@ -297,6 +322,41 @@ struct SharedGeometry<LightShape::capsule> {
     auto sample = sample_towards(q.vector({x, y, z}));
     sample.form = form;
     return sample;
+  }
+  template <class V>
+  static ASOS_INLINE Entry<decltype(V::x)> entry(const PreparedLight& light, const V& to_middle,
+                                                 const V& direction) {
+    using std::abs, std::max, std::sqrt;
+    const auto slope = dot(direction, light.u_axis), middle = dot(to_middle, light.u_axis);
+    // Look for the ray's entry into the infinite cylinder.
+    const V flat = direction - slope * light.u_axis, foot = to_middle - middle * light.u_axis;
+    const auto flat2 = dot(flat, flat);
+    const auto crosses = flat2 > 1e-20;
+    const auto across2 = selected(crosses, flat2, 1.0);
+    const auto nearest = dot(foot, flat) / across2;
+    const V beside = foot - nearest * flat;
+    const auto under = light.radius * light.radius - dot(beside, beside);
+    const auto distance = nearest - sqrt(max(0.0, under) / across2);
+    const auto place = distance * slope - middle;
+    const auto on_side = crosses && abs(place) <= light.u_length;
+    if (all(on_side)) return {distance, under > 0.0};
+    const auto upper = selected(crosses, place, -slope) > 0.0;
+    const V end = to_middle + selected(upper, 1.0, -1.0) * light.half_u;
+    const auto ball = entry_into_ball(end, light.radius, direction);
+    return {selected(on_side, distance, ball.distance),
+            (on_side && under > 0.0) || (!on_side && ball.met)};
+  }
+  /// First to third: the sample relative to the receiver. Fourth: its form; negative within the
+  /// infinite cylinder.
+  template <class V>
+  static ASOS_INLINE auto numbers(const PreparedLight& light, const auto& receiver, const V& middle,
+                                  const auto& u, const auto& v) {
+    const SeenCapsuleOf<V> seen(middle, light.half_u, light.radius);
+    const CapsuleDirections<V> directions(seen);
+    const V direction = directions.direction(u, v);
+    const V at = entry(light, middle, direction).distance * direction;
+    const auto form = directions.solid_angle() * cosine_above(direction, receiver);
+    return Numbers{at.x, at.y, at.z, selected(seen.sine < 1.0, form, -1.0)};
   }
   /// Finds directions that may hit the light: those that hit the ball around it.
   template <class Q>
@@ -420,7 +480,7 @@ struct SharedGeometry<LightShape::rectangle> : SharedFlat<SharedGeometry<LightSh
   }
   /// First: the solid angle. Second: slope2. Third and fourth: the ends along half_v.
   static ASOS_INLINE auto numbers(const PreparedLight& light, const auto& receiver,
-                                  const auto& middle, const auto& u) {
+                                  const auto& middle, const auto& u, const auto&) {
     const auto found = arcs(light, receiver, middle);
     return Numbers{found.solid_angle, slope2(found, u), found.y0, found.y1};
   }

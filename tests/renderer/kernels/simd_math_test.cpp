@@ -66,5 +66,21 @@ TEST(SimdMath, ArcTangentAllAround) {
   EXPECT_DOUBLE_EQ(found(-1.0, 0.0), -0.5 * std::numbers::pi);
 }
 
+TEST(SimdMath, CubeRootAndArcSine) {
+  double worst_root = 0.0, worst_arc = 0.0;
+  for (double x = 1e-30; x < 1e30; x *= 1.37) {
+    const double root = hwy::HWY_NAMESPACE::GetLane(cbrt(DoubleLane(x)).raw);
+    worst_root = std::max(worst_root, std::abs(root / std::cbrt(x) - 1.0));
+  }
+  for (int i = 1; i <= steps; ++i) {
+    const double x = 2.0 * i / steps - 1.0;
+    const double arc = hwy::HWY_NAMESPACE::GetLane(asin(DoubleLane(x)).raw);
+    worst_arc = std::max(worst_arc, std::abs(arc - std::asin(x)));
+  }
+  EXPECT_LT(worst_root, 1e-15);
+  EXPECT_LT(worst_arc, 1e-15);
+  EXPECT_EQ(hwy::HWY_NAMESPACE::GetLane(cbrt(DoubleLane(0.0)).raw), 0.0);
+}
+
 }  // namespace
 }  // namespace asos::test::simd_math_test
