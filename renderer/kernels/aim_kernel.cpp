@@ -11,6 +11,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
+
 template <LightShape shape>
 HWY_INLINE SampleLanes place_on(const LightConstants& light, const ReceiverLanes& receiver,
                                 const LightArcs& arc, const LightPointBatch& places,
@@ -63,6 +64,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
+
 HWY_EXPORT(aim);
 
 void aim_batch(const ShadingPoints& points, const LightConstants& light,

@@ -19,6 +19,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
+
 /// Converts 32-bit binary fractions to 0 to 1, exactly.
 HWY_INLINE DoubleLane fractions(const std::uint32_t* from) {
   const hn::Rebind<std::int32_t, DoubleTag> di;

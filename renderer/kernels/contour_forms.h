@@ -14,17 +14,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
-/// One directed side of Lambert's contour sum, as contour_side.
-HWY_INLINE DoubleLane contour_side(const DoubleVectors& a, const DoubleVectors& b,
-                                   const DoubleVectors& normal) {
-  const DoubleVectors across = cross(b - a, a);
-  const auto sine2 = dot(across, across);
-  const auto some = sine2 > 0.0f;
-  const auto sine = sqrt(selected(some, sine2, 1.0));
-  const auto angle = arc_tangent(sine, dot(a, b));
-  const auto side = 0.5 * angle * (dot(across, normal) / sine);
-  return where(some, side);
-}
 
 /// A directed segment; lanes without one are marked.
 struct SegmentLanes {
@@ -60,7 +49,7 @@ inline DoubleLane cut_form(const ShadingPoints& points, const std::vector<glm::d
   DoubleLane form = 0.0;
   const auto add = [&](const SegmentLanes& side) HWY_ATTR {
     const SegmentLanes left = clipped(side, geometric, by_geometric);
-    form += where(left.some, contour_side(left.begin, left.end, normal));
+    form += where(left.some, contour_term(left.begin, left.end, normal));
   };
   DoubleVectors last = to_middle(points, i, outline.back());
   for (const glm::dvec3& corner : outline) {
@@ -70,7 +59,7 @@ inline DoubleLane cut_form(const ShadingPoints& points, const std::vector<glm::d
   }
   add(by_normal);
   const SegmentLanes& closing = by_geometric;
-  const auto side = contour_side(closing.begin, closing.end, normal);
+  const auto side = contour_term(closing.begin, closing.end, normal);
   return form + where(closing.some, side);
 }
 
@@ -103,7 +92,7 @@ inline void rectangle_forms(const ShadingPoints& points, const PreparedLight& li
       DoubleVectors last = to_middle(points, i, outline.back());
       for (const glm::dvec3& corner : outline) {
         const DoubleVectors to_corner = to_middle(points, i, corner);
-        whole += contour_side(last, to_corner, normal);
+        whole += contour_term(last, to_corner, normal);
         last = to_corner;
       }
       form = selected(cut, form, whole);

@@ -14,6 +14,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
+
 using FloatTag = hn::ScalableTag<float>;
 using Lane = LaneOf<FloatTag>;
 using LaneMask = MaskOf<FloatTag>;

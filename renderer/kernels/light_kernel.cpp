@@ -13,6 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
+
 template <LightShape shape>
 HWY_INLINE ShineLanes shine_of(const ShadingPoints& points, const LightConstants& light,
                                const Vectors& normal, const Vectors& middle,
@@ -180,6 +181,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
+
 HWY_EXPORT(shade);
 HWY_EXPORT(shade_exactly);
 HWY_EXPORT(shade_lobe);

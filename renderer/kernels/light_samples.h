@@ -11,6 +11,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
+
 struct ReceiverLanes {
   Vectors position, geometric, normal;
 };

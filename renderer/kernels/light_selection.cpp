@@ -12,6 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
+
 using Weights = std::span<const ShadingPoints::Floats>;
 
 HWY_INLINE Lane sum_of_weights(Weights weights, std::size_t i) {
@@ -92,6 +93,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
+
 HWY_EXPORT(pick);
 
 void LightSelection::pick(std::span<const LightBounds> lights, const ShadingPoints& points,

@@ -20,6 +20,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
+
 /// Selects the points whose lobe is narrow enough to be sampled and reflects a highlight of the
 /// light.
 HWY_INLINE LaneMask samples_lobe(const ShadingPoints& points, const LightConstants& light,

@@ -17,6 +17,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
+
 /// The directions that a lobe depends on.
 struct LobeGeometryLanes {
   Vectors normal, to_viewer, to_light;

@@ -15,6 +15,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
+
 HWY_INLINE LaneMask differ(const Vectors& a, const Vectors& b) {
   return a.x != b.x || a.y != b.y || a.z != b.z;
 }

@@ -15,6 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
+
 constexpr std::size_t most_lanes = hn::MaxLanes(FloatTag());
 /// The four components of a node, all at once where there are lanes.
 using NodeTag = hn::CappedTag<float, 4>;
@@ -184,6 +185,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
+
 HWY_EXPORT(reflect);
 
 void reflect_sky(const Sky::PictureLobes& sky, const MaterialBatch& materials,

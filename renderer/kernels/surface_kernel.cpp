@@ -17,6 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
+
 /// Bound of the relative error of n float operations in a row (Higham's gamma).
 constexpr float gamma_bound(int n) {
   constexpr float half_ulp = 0.5f * std::numeric_limits<float>::epsilon();
@@ -351,6 +352,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
+
 HWY_EXPORT(place_in_one);
 HWY_EXPORT(place_in_own);
 HWY_EXPORT(view);

@@ -14,6 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
+
 constexpr std::size_t most_lanes = hn::MaxLanes(FloatTag());
 
 struct Pair {
@@ -324,6 +325,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
+
 HWY_EXPORT(find_patches);
 HWY_EXPORT(find_weights);
 

@@ -16,6 +16,7 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
+
 /// The value of the lobe in the direction of the highlight, and Schlick's (1 - v.h)^5.
 struct SpecularLanes {
   Lane lobe;

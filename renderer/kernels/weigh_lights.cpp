@@ -16,6 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace asos::HWY_NAMESPACE {
 namespace {
+
 HWY_INLINE Lane square(Lane x) {
   return x * x;
 }
@@ -271,6 +272,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace asos {
+
 HWY_EXPORT(weigh);
 HWY_EXPORT(weigh_at);
 

@@ -1,7 +1,8 @@
 #include "renderer/lights/form_factor.h"
 
+#include "renderer/lights/kinds/shared.h"
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace asos {
@@ -87,12 +88,7 @@ double clipped_form(std::span<const glm::dvec3> corners, const Receiver& receive
 }  // namespace
 
 double contour_side(glm::dvec3 a, glm::dvec3 b, glm::dvec3 normal) {
-  // b - a is exact for a short side, where a x b would lose digits.
-  const glm::dvec3 across = glm::cross(b - a, a);
-  const double sine2 = glm::dot(across, across);
-  if (!(sine2 > 0.0)) return 0.0;
-  const double sine = std::sqrt(sine2);
-  return 0.5 * std::atan2(sine, glm::dot(a, b)) * glm::dot(across, normal) / sine;
+  return contour_term(a, b, normal);
 }
 
 double polygon_form(std::span<const glm::dvec3> corners, const Receiver& receiver) {

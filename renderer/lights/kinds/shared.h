@@ -102,6 +102,17 @@ ASOS_INLINE typename Q::Hit meet_cone(const Q& q, const auto& axis, const auto& 
           0.5 * dot(chord, chord) <= one_less_cosine};
 }
 
+/// As contour_side.
+ASOS_INLINE auto contour_term(const auto& a, const auto& b, const auto& normal) {
+  using std::sqrt;
+  // b - a is exact for a short side, where a x b would lose digits.
+  const auto across = cross(b - a, a);
+  const auto sine2 = dot(across, across);
+  const auto some = sine2 > 0.0;
+  const auto sine = sqrt(selected(some, sine2, 1.0));
+  return where(some, 0.5 * arc_tangent(sine, dot(a, b)) * dot(across, normal) / sine);
+}
+
 /// Where a ray enters, and whether it does; otherwise the distance is about that of its nearest
 /// point.
 template <class N>
