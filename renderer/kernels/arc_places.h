@@ -81,8 +81,7 @@ void find_places(const ShadingPoints& points, const PreparedLight& light,
     find_arcs<shape>(points, light, found);
     find_slopes<shape>(points, places, found);
   }
-  constexpr bool in_lanes = by == Sampling::lanes || by == Sampling::lanes_or_scalar;
-  if constexpr (in_lanes) {
+  if constexpr (by == Sampling::lanes || by == Sampling::lanes_or_scalar) {
     for (std::size_t i = 0; i < points.count; i += DoubleLane::count()) {
       const DoubleReceivers receiver{doubles(points.geometric, i), doubles(points.normal, i)};
       const auto numbers =
@@ -94,13 +93,19 @@ void find_places(const ShadingPoints& points, const PreparedLight& light,
       store_floats(numbers.fourth, &found.fourth[i]);
     }
   }
-  if constexpr (traits_of(shape).needs_scalar()) {
-    constexpr double scale = 1.0 / 4294967296.0;
+  constexpr double scale = 1.0 / 4294967296.0;
+  if constexpr (by == Sampling::lanes_or_scalar) {
     for (std::size_t i = 0; i < points.count; ++i) {
-      if (in_lanes && !(found.fourth[i] < 0.0f)) continue;
+      if (!(found.fourth[i] < 0.0f)) continue;
       const Receiver receiver{points.position.at(i), points.normal.at(i), points.geometric.at(i)};
       const glm::vec4 n = sample_numbers(light, receiver, scale * places.u[i], scale * places.v[i]);
       found.first[i] = n.x, found.second[i] = n.y, found.third[i] = n.z, found.fourth[i] = n.w;
+    }
+  }
+  if constexpr (by == Sampling::rows) {
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const glm::vec2 p(light.rows.point(scale * places.u[i], scale * places.v[i]));
+      found.first[i] = p.x, found.second[i] = p.y;
     }
   }
 }

@@ -104,7 +104,7 @@ HWY_INLINE LightHitLanes scalar_hits(const LobeQuery& q, const LaneMask& wanted)
 template <LightShape shape>
 HWY_INLINE LightHitLanes met_light(const LobeQuery& q) {
   const LightHitLanes hit = SharedGeometry<shape>::meet(q);
-  if constexpr (!traits_of(shape).needs_scalar()) return hit;
+  if constexpr (!traits_of(shape).scalar_hits()) return hit;
   return none(hit.met) ? hit : scalar_hits(q, hit.met);
 }
 

@@ -40,7 +40,7 @@ LightSample sample_light(const PreparedLight& light, const Receiver& receiver, d
 
 glm::vec4 sample_numbers(const PreparedLight& light, const Receiver& receiver, double u, double v) {
   return with_shape(light.shape, [&](auto shape) -> glm::vec4 {
-    if constexpr (traits_of(shape).needs_scalar())
+    if constexpr (traits_of(shape).sampling == Sampling::lanes_or_scalar)
       return LightGeometry<shape>::numbers(light, receiver, u, v);
     return {};
   });

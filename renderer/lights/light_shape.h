@@ -27,8 +27,8 @@ enum class Sampling : std::uint8_t {
   direct,           ///< they need none
   lanes,            ///< in lanes, for all points at once
   solid_angle,      ///< in lanes, partly the same for all samples of a point
-  scalar,           ///< for one point after another
   lanes_or_scalar,  ///< in lanes where that is possible
+  rows,             ///< from PolygonRows
 };
 
 /// Properties of a shape.
@@ -41,11 +41,10 @@ struct LightTraits {
   const char* sized = nullptr;    ///< its own name in `asos info`; null: counted by type alone
   Sampling sampling = Sampling::direct;
 
-  /// Returns whether scalar code finds samples and hits, at least of some points.
-  [[nodiscard]] constexpr bool needs_scalar() const {
-    return sampling == Sampling::scalar || sampling == Sampling::lanes_or_scalar;
+  /// Returns whether hits of directions are tested one after another.
+  [[nodiscard]] constexpr bool scalar_hits() const {
+    return sampling == Sampling::rows || sampling == Sampling::lanes_or_scalar;
   }
-
   /// Returns whether the light has a radiance, which highlights of narrow lobes show.
   [[nodiscard]] constexpr bool has_area() const { return extended && !line; }
   /// Returns whether rays may hit the light at a distance.
@@ -72,7 +71,7 @@ inline constexpr auto light_traits = std::to_array<LightTraits>({
     {.feature = &RenderFeatures::rectangle_lights,
      .extended = true,
      .flat = true,
-     .sampling = Sampling::scalar},                                             // polygon
+     .sampling = Sampling::rows},                                               // polygon
     {.feature = &RenderFeatures::disk_lights, .extended = true, .flat = true},  // disk
 });
 [[nodiscard]] constexpr const LightTraits& traits_of(LightShape shape) {

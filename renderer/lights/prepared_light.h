@@ -106,7 +106,8 @@ struct LightSample {
 [[nodiscard]] LightSample sample_light(const PreparedLight& light, const Receiver& receiver,
                                        double u, double v);
 
-/// Returns the numbers of a sample for the kernels, of a shape with Sampling::scalar.
+/// Returns the numbers of a sample for the kernels, of a shape with
+/// Sampling::lanes_or_scalar.
 [[nodiscard]] glm::vec4 sample_numbers(const PreparedLight& light, const Receiver& receiver,
                                        double u, double v);
 

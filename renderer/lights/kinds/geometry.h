@@ -18,7 +18,7 @@ namespace asos {
 
 /// The geometry of one shape. There is no general definition: a function that a shape lacks does
 /// not compile. All have `form`, the projected solid angle times the spot's cone and range.
-/// Shapes with Sampling::scalar have `numbers`. Shapes with an area have `add_patches` and
+/// Shapes with Sampling::lanes_or_scalar have `numbers`. Shapes with an area have `add_patches` and
 /// `window`. Shapes with a surface have `meet` and `outlines`, and `way` if they are not flat.
 template <LightShape shape>
 struct LightGeometry;
@@ -49,7 +49,7 @@ struct SampleQuery {
   [[nodiscard]] glm::dvec2 on_disk() const { return concentric(uv.x, uv.y); }
   [[nodiscard]] static glm::dvec3 vector(glm::dvec3 v) { return v; }
   [[nodiscard]] Numbers<double> numbers() const {
-    if constexpr (!traits_of(shape).needs_scalar()) {
+    if constexpr (traits_of(shape).sampling != Sampling::lanes_or_scalar) {
       return SharedGeometry<shape>::numbers(light, receiver, middle, uv.x, uv.y);
     } else {
       const glm::dvec4 n = LightGeometry<shape>::numbers(light, receiver, uv.x, uv.y);

@@ -9,12 +9,6 @@ struct LightGeometry<LightShape::polygon> : FlatGeometry<LightGeometry<LightShap
   static double physical_form(const PreparedLight& light, const Receiver& receiver, bool behind) {
     return outlines_form(light, receiver, behind);
   }
-  /// First to third: the place relative to the centre.
-  static glm::dvec4 numbers(const PreparedLight& light, const Receiver&, double u, double v) {
-    const glm::dvec2 p = light.rows.point(u, v);
-    return {p.x * light.u_axis + p.y * light.v_axis, 0.0};
-  }
-
   /// Returns whether the outlines wind around the point an odd number of times.
   static bool holds(const PreparedLight& light, glm::dvec3 p) {
     const glm::dvec3 u = light.u_axis, v = light.v_axis;

@@ -557,9 +557,14 @@ struct SharedGeometry<LightShape::rectangle> : SharedFlat<SharedGeometry<LightSh
 
 template <>
 struct SharedGeometry<LightShape::polygon> : SharedFlat<SharedGeometry<LightShape::polygon>> {
+  /// First and second: the place relative to the centre, along half_u and half_v.
+  static auto numbers(const PreparedLight& light, const auto&, const auto&, double u, double v) {
+    const glm::dvec2 p = light.rows.point(u, v);
+    return Numbers<double>{p.x, p.y};
+  }
   static ASOS_INLINE auto sample(const auto& q) {
-    const auto [x, y, z, rest] = q.numbers();
-    return area_sample(q, q.middle + q.vector({x, y, z}));
+    const auto p = q.numbers();
+    return area_sample(q, q.middle + p.first * q.light.u_axis + p.second * q.light.v_axis);
   }
 };
 
