@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -217,6 +218,37 @@ TEST(Capsule, IsMetWhereItsSamplesAre) {
     ray.direction = -ray.direction;
     EXPECT_FALSE(meet_light(light, ray)) << i;
   }
+}
+
+// From outside, within the extension of the cylinder, and inside. The first sees the whole capsule,
+// the second one ball, and the third all directions.
+TEST(Capsule, HitsHaveTheDensityOfSamples) {
+  test::RandomSpace random(36);
+  const PreparedLight light = prepare_light(test::capsule_light());
+  const auto unit = [&] { return random.between(0.1, 0.9); };
+  std::array<int, 3> found{};
+  for (int i = 0; i < 300; ++i) {
+    const std::size_t place = i % 3;
+    const double end = i % 2 == 0 ? 1.0 : -1.0;
+    const glm::dvec3 along = (end / glm::length(light.half_u)) * light.half_u;
+    const glm::dvec3 aside = 0.9 * unit() * light.radius * random.direction();
+    const std::array offsets{2.0 * random.direction(),
+                             end * light.half_u + (light.radius + unit()) * along + aside,
+                             unit() * end * light.half_u + aside};
+    const glm::dvec3 from = light.position + offsets[place];
+    const glm::dvec3 normal = place == 1 ? -along : random.direction();
+    const Receiver receiver{from, normal, normal};
+    const LightSample sample = sample_light(light, receiver, unit(), unit());
+    const double cosine = glm::dot(normal, sample.direction);
+    if (!(cosine > 0.05)) continue;
+    ++found[place];
+    const auto hit =
+        LightGeometry<LightShape::capsule>::sampled_hit(light, receiver, sample.direction);
+    ASSERT_TRUE(hit) << i;
+    EXPECT_NEAR(hit->distance, sample.distance, 1e-6) << i;
+    EXPECT_NEAR(sample.irradiance.x * hit->density / (light.power.x * cosine), 1.0, 1e-5) << i;
+  }
+  for (const int count : found) EXPECT_GT(count, 30);
 }
 
 }  // namespace
