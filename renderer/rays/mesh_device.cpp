@@ -20,8 +20,9 @@ bool count_bytes(void* counter, ssize_t bytes, bool) {
   return true;
 }
 
-/// Lets a stop of the load end Embree's build. `progress`: a LoadProgress.
+/// Lets a stop of the load end Embree's build, on any of its threads. `progress`: a LoadProgress.
 bool goes_on(void* progress, double) {
+  const TaskOrder::Task task;
   return static_cast<LoadProgress*>(progress)->goes_on();
 }
 
