@@ -131,10 +131,14 @@ void Controls::begin_frame(double now_seconds) {
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) resetting_.clear();
 }
 
+double Controls::tooltip_wait(const std::string& name) const {
+  const double since = name == hovered_before_ ? hovered_since_seconds_ : now_seconds_;
+  return since + tooltip_delay_seconds - now_seconds_;
+}
+
 std::optional<double> Controls::seconds_to_tooltip() const {
   if (hovered_.empty()) return std::nullopt;
-  const double since = hovered_ == hovered_before_ ? hovered_since_seconds_ : now_seconds_;
-  const double left = since + tooltip_delay_seconds - now_seconds_;
+  const double left = tooltip_wait(hovered_);
   return left > 0.0 ? std::optional(left) : std::nullopt;
 }
 
@@ -188,10 +192,7 @@ void Controls::placed_window(const std::string& name) {
 void Controls::explain(const std::string& name, const char* tooltip) {
   if (!tooltip || ImGui::IsItemActive() || !ImGui::IsItemHovered()) return;
   hovered_ = name;
-  if (name != hovered_before_ || now_seconds_ - hovered_since_seconds_ < tooltip_delay_seconds) {
-    return;
-  }
-  tell(name, tooltip);
+  if (tooltip_wait(name) <= 0.0) tell(name, tooltip);
 }
 
 void Controls::tell(const std::string& name, const char* text) {

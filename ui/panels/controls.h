@@ -214,6 +214,7 @@ class Controls {
   void label(const char* name, const char* tooltip);
   void name_text(const char* name);
   void explain(const std::string& name, const char* tooltip);
+  [[nodiscard]] double tooltip_wait(const std::string& name) const;
   void note_double_click(const char* name);
   template <typename T, typename Draw, typename Paint>
   bool edited(const char* name, const char* tooltip, T& value, const std::optional<T>& to,
