@@ -39,6 +39,7 @@ void PreviewRender::update(const Subject& subject, double now_seconds) {
 void PreviewRender::take_tiles(double now_seconds) {
   if (shown_) return;
   // Read before the tiles are taken, so that these include the whole pass.
+  took_all_ = session_.progress().finished;
   const Reached reached = session_.reached();
   const bool whole = reached.pass != Reached::Pass::nothing;
   std::vector<FinishedTile> tiles = session_.take_finished();
@@ -52,10 +53,20 @@ void PreviewRender::take_tiles(double now_seconds) {
 // Predicts the split map of another EPS or MAX at once, and keeps the finished picture of the
 // previous setting.
 void PreviewRender::follow_splitting(const Subject& subject) {
-  if (rendered_.settings != subject.settings && all_final() &&
+  if (rendered_.settings != subject.settings && seen_finished() &&
       (!before_ || before_->settings != rendered_.settings))
     before_ = {film_.film(), rendered_.settings};
   film_.predict(subject.settings);
+}
+
+Progress PreviewRender::progress() const {
+  if (shown_) return shown_->progress;
+  Progress now = session_.progress();
+  if (now.finished && !took_all_) {
+    now.finished = false;
+    now.running = true;
+  }
+  return now;
 }
 
 bool PreviewRender::out_of_date(const Subject& subject) const {
@@ -87,6 +98,7 @@ void PreviewRender::restart(const Subject& subject, double now_seconds) {
   held_.clear();
   std::erase_if(kept_, [](const Kept& kept) { return kept.scene.expired(); });
   keep_finished(subject);
+  took_all_ = false;
   const bool same_view = differs_in_splitting_only(rendered_, subject);
   if (!same_view) before_.reset();
   if (rendered_.settings.width != subject.settings.width ||
@@ -109,13 +121,17 @@ bool PreviewRender::all_final() const {
                       [](std::uint8_t pixel) { return pixel != 0; });
 }
 
-// Keeps the picture of a finished render, to show it at once when its settings return. Pictures
-// that were seen for a moment only, as during a drag, are not worth the copy.
+// Whether the finished picture was seen for more than a moment, as within a drag.
+bool PreviewRender::seen_finished() const {
+  constexpr int least_updates = 4;
+  return finished_updates_ >= least_updates && all_final();
+}
+
+// Keeps the picture of a finished render, to show it at once when its settings return.
 void PreviewRender::keep_finished(const Subject& next) {
   constexpr std::size_t most_bytes = std::size_t{256} << 20, bytes_a_pixel = 96;
-  constexpr int least_updates = 4;
-  if (finished_updates_ < least_updates || next.scene != rendered_.scene ||
-      next.camera_revision != rendered_.camera_revision || !all_final())
+  if (!seen_finished() || next.scene != rendered_.scene ||
+      next.camera_revision != rendered_.camera_revision)
     return;
   std::erase_if(kept_, [&](const Kept& kept) { return is_picture_of(kept, rendered_); });
   kept_.push_back({rendered_.scene,
@@ -160,7 +176,7 @@ void PreviewRender::prefer(const PixelRect& part) {
 
 void PreviewRender::stop() {
   session_.cancel();
-  if (rendered_.scene && !progress().finished) refinement_.end();
+  if (rendered_.scene && !shown_ && !session_.progress().finished) refinement_.end();
 }
 
 void PreviewRender::start_again() {

@@ -73,9 +73,8 @@ class PreviewRender {
   [[nodiscard]] std::uint64_t map_revision() const { return film_.map_revision(); }
   [[nodiscard]] double split_share() const { return film_.split_share(); }
   [[nodiscard]] std::optional<double> estimated_rmse() const { return film_.estimated_rmse(); }
-  [[nodiscard]] Progress progress() const {
-    return shown_ ? shown_->progress : session_.progress();
-  }
+  /// Finished once the film holds every final tile.
+  [[nodiscard]] Progress progress() const;
   [[nodiscard]] Reached reached() const { return shown_ ? shown_->reached : session_.reached(); }
   /// The fraction of final pixels, 0 to 1.
   [[nodiscard]] double final_share() const {
@@ -103,6 +102,7 @@ class PreviewRender {
   void follow_splitting(const Subject& subject);
   void rest_or_go_on();
   [[nodiscard]] bool all_final() const;
+  [[nodiscard]] bool seen_finished() const;
   void keep_finished(const Subject& next);
   [[nodiscard]] bool show_kept(const Subject& subject);
 
@@ -130,6 +130,7 @@ class PreviewRender {
   std::vector<FinishedTile> held_;  // tiles waiting until the first pass has covered the picture
   std::optional<FinishedPicture> before_;
   RefiningFilm film_;
+  bool took_all_ = false;         // whether the film holds the finished session's tiles
   int finished_updates_ = 0;      // since the picture was finished
   std::deque<Kept> kept_;         // the newest is the last
   std::optional<Outcome> shown_;  // of the kept picture that is shown; none: the session's

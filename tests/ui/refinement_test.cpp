@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <thread>
+
 namespace asos {
 using namespace ui;
 namespace {
@@ -43,6 +46,19 @@ TEST_F(RefinementTest, SpacePausesAndGoesOn) {
   rig.key(Key::space);
   EXPECT_TRUE(finished());
   EXPECT_EQ(rig.render().restarts(), restarts) << "it goes on from where it was";
+}
+
+// A render that ended between two frames was once finished before its tiles were taken: checks of
+// the picture then judged the picture before.
+TEST_F(RefinementTest, IsFinishedOnceTheFilmHasAllTiles) {
+  const PreviewRender& render = rig.render();
+  change();
+  while (render.final_share() < 1.0) std::this_thread::yield();
+  EXPECT_FALSE(render.progress().finished) << "the film has the coarse picture, or the one before";
+  EXPECT_TRUE(render.progress().running);
+  ASSERT_TRUE(finished());
+  const std::vector<std::uint8_t>& unfinished = rig.film().unfinished;
+  EXPECT_EQ(std::count(unfinished.begin(), unfinished.end(), 0), std::ssize(unfinished));
 }
 
 TEST_F(RefinementTest, ATimeLimitHoldsUntilItIsRaised) {
