@@ -32,9 +32,10 @@ LayerSet saved_layers(const SaveChoice& choice, Method method, std::optional<Lay
 
 }  // namespace
 
-std::string PictureSaver::words(const Result<std::string>& saved) {
+std::string PictureSaver::words(const Result<std::string>& saved,
+                                const std::optional<UnsavedWork::Edits>& edits) {
   if (!saved) return "Not saved: " + saved.error().message();
-  ++saved_;
+  if (edits) saved_edits_ = edits;
   return "Saved " + *saved;
 }
 
@@ -60,7 +61,6 @@ void PictureSaver::begin_movie(const SaveChoice& choice, Snapshot snapshot,
     order.lights = playback.edited_lights();
     order.dfrs = playback.edited_dfrs();
   }
-  movie_ = true;
   job_.start(choice.path(),
              [order = std::move(order)](const std::stop_token& stop, const auto& on_progress) {
                return write_movie(order, stop, on_progress);
@@ -76,8 +76,8 @@ std::string PictureSaver::save_shown(const DisplaySettings& shown, double fracti
     add_legend(image, shown.split_colours, count_causes(previewer_.render().film()));
   const auto saved =
       save_screenshot(image, screenshot_folder(), screenshot_stem(scene->geometry->source));
-  if (!saved || previewer_.render().progress().finished) return words(saved);
-  ++saved_;
+  std::string said = words(saved, UnsavedWork::in_picture(previewer_));
+  if (!saved || previewer_.render().progress().finished) return said;
   return fmt::format("Saved unfinished ({:.0f} %): {}", std::floor(100.0 * fraction), *saved);
 }
 
@@ -94,7 +94,7 @@ std::optional<std::string> PictureSaver::begin(const SaveChoice& choice,
     snapshot.settings.width = choice.size.x;
     snapshot.settings.height = choice.size.y;
   }
-  movie_ = false;
+  begun_edits_ = choice.is_movie() ? std::nullopt : UnsavedWork::in_picture(previewer_);
   snapshot.settings.layers = saved_layers(choice, snapshot.settings.method, shown.layer);
   DisplaySettings plain;
   plain.exposure_ev = shown.exposure_ev;
@@ -114,9 +114,7 @@ std::optional<std::string> PictureSaver::begin(const SaveChoice& choice,
 
 std::optional<std::string> PictureSaver::take_outcome() {
   const auto outcome = job_.take_outcome();
-  if (!outcome) return std::nullopt;
-  if (movie_ && *outcome) return "Saved " + **outcome;
-  return words(*outcome);
+  return outcome ? std::optional(words(*outcome, begun_edits_)) : std::nullopt;
 }
 
 std::string PictureSaver::stop() {
@@ -136,7 +134,8 @@ std::string PictureSaver::save_read(const SaveChoice& choice, RgbImage image,
                                     const DisplaySettings& shown) {
   image.text = screenshot_text(previewer_, shown);
   const Result<void> written = write_png(choice.path(), image);
-  return words(written ? Result<std::string>(choice.path()) : unexpected(written.error()));
+  return words(written ? Result<std::string>(choice.path()) : unexpected(written.error()),
+               UnsavedWork::in_picture(previewer_));
 }
 
 std::optional<double> PictureSaver::seconds_to_due(double now_seconds) const {

@@ -2,9 +2,11 @@
 
 #include "ui/picture_job.h"
 #include "ui/save_choice.h"
+#include "ui/unsaved_work.h"
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace asos::ui {
 
@@ -42,11 +44,14 @@ class PictureSaver {
   /// Seconds until `take_due` returns a choice.
   [[nodiscard]] std::optional<double> seconds_to_due(double now_seconds) const;
   [[nodiscard]] const PictureJob& job() const { return job_; }
-  /// Number of saved pictures whose metadata contain the edits of the scene.
-  [[nodiscard]] int saved() const { return saved_; }
+  /// Returns the edits in the metadata of the last saved picture, once.
+  [[nodiscard]] std::optional<UnsavedWork::Edits> take_saved_edits() {
+    return std::exchange(saved_edits_, std::nullopt);
+  }
 
  private:
-  [[nodiscard]] std::string words(const Result<std::string>& saved);
+  [[nodiscard]] std::string words(const Result<std::string>& saved,
+                                  const std::optional<UnsavedWork::Edits>& edits);
   void begin_movie(const SaveChoice& choice, Snapshot snapshot, const DisplayTransform& display);
 
   const Previewer& previewer_;
@@ -54,8 +59,8 @@ class PictureSaver {
   PictureJob job_;
   std::optional<SaveChoice> due_;
   double due_seconds_ = 0.0;
-  int saved_ = 0;
-  bool movie_ = false;  // the job writes a movie, which does not contain the edits
+  std::optional<UnsavedWork::Edits> begun_edits_;  // of the job's picture; none: a movie
+  std::optional<UnsavedWork::Edits> saved_edits_;
 };
 
 }  // namespace asos::ui

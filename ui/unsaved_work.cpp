@@ -12,12 +12,20 @@ namespace asos::ui {
 
 UnsavedWork::Edits UnsavedWork::edits_of(const Previewer& previewer) {
   const SceneEdits::State& state = previewer.edits().state();
-  return {state.look.lights_revision, state.look.dfrs_revision, state.settings.sky.get()};
+  return {previewer.scene().times_opened(), state.look.lights_revision, state.look.dfrs_revision,
+          state.settings.sky.get()};
+}
+
+std::optional<UnsavedWork::Edits> UnsavedWork::in_picture(const Previewer& previewer) {
+  const Snapshot rendered = previewer.render().snapshot();
+  const bool newest = !previewer.edits().relighting() &&
+                      rendered.scene == previewer.scene().shared() &&
+                      rendered.settings.sky == previewer.edits().settings().sky;
+  return newest ? std::optional(edits_of(previewer)) : std::nullopt;
 }
 
 void UnsavedWork::update(const Previewer& previewer) {
-  if (scene_ == previewer.scene().times_opened()) return;
-  scene_ = previewer.scene().times_opened();
+  if (saved_.scene == previewer.scene().times_opened()) return;
   const SceneEdits::Revisions& opened = previewer.edits().opened_revisions();
   saved_ = edits_of(previewer);
   // Edits that a reload has kept are not saved.
@@ -25,14 +33,14 @@ void UnsavedWork::update(const Previewer& previewer) {
   saved_.dfrs = opened.dfrs;
 }
 
-void UnsavedWork::note_saved(const Previewer& previewer) {
-  saved_ = edits_of(previewer);
+void UnsavedWork::note_saved(const Edits& edits) {
+  if (edits.scene == saved_.scene) saved_ = edits;
 }
 
-void UnsavedWork::note_exported(const Previewer& previewer) {
-  const Edits now = edits_of(previewer);
-  saved_.lights = now.lights;
-  saved_.dfrs = now.dfrs;
+void UnsavedWork::note_exported(const Edits& edits) {
+  if (edits.scene != saved_.scene) return;
+  saved_.lights = edits.lights;
+  saved_.dfrs = edits.dfrs;
 }
 
 std::vector<std::string> UnsavedWork::edits(const Previewer& previewer) const {

@@ -140,10 +140,9 @@ class WindowContent {
   FileWatch watch_;
   PictureSaver saver_;
   SceneExportJob scene_export_;
-  SceneEdits::Revisions exported_;  // the edits that scene_export_ writes
+  UnsavedWork::Edits exported_;  // the edits that scene_export_ writes
   ClipboardJob clipboard_;
   UnsavedWork unsaved_;
-  int saves_noted_ = 0;
   std::uint64_t restarts_seen_ = 0;
   bool before_shown_ = false;
   DisplaySettings shown_display_;     // settings of the displayed picture

@@ -75,8 +75,7 @@ void WindowContent::keep_saving() {
     if (auto words = saver_.begin(choice, state_.display, time_seconds_)) say(*words);
   }
   if (auto words = saver_.take_outcome()) say(*words);
-  if (std::exchange(saves_noted_, saver_.saved()) != saver_.saved())
-    unsaved_.note_saved(previewer_);
+  if (const auto edits = saver_.take_saved_edits()) unsaved_.note_saved(*edits);
   keep_exporting();
   keep_copying();
 }
@@ -86,7 +85,7 @@ void WindowContent::keep_exporting() {
     if (scene_export_.busy()) {
       say("A scene is being saved already");
     } else {
-      exported_ = previewer_.edits().revisions();
+      exported_ = UnsavedWork::edits_of(previewer_);
       scene_export_.start(
           [order = order_of(previewer_, std::exchange(state_.save_scene.path, {}))](
               const std::stop_token&, const auto& tell) { tell(export_edited(order)); });
@@ -95,9 +94,7 @@ void WindowContent::keep_exporting() {
   const auto outcome = scene_export_.take_outcome();
   if (!outcome) return;
   say(*outcome ? "Saved " + **outcome : "Not saved: " + outcome->error().message());
-  const SceneEdits::Revisions now = previewer_.edits().revisions();
-  if (*outcome && now.lights == exported_.lights && now.dfrs == exported_.dfrs)
-    unsaved_.note_exported(previewer_);
+  if (*outcome) unsaved_.note_exported(exported_);
 }
 
 void WindowContent::keep_copying() {

@@ -98,6 +98,20 @@ TEST_F(LeavingTest, EditedLightsAreAskedAbout) {
   EXPECT_TRUE(state().leaving.quit);
 }
 
+// The end of the save once marked them as saved, too.
+TEST_F(LeavingTest, EditsMadeWhileAPictureIsSavedAreAskedAbout) {
+  ASSERT_TRUE(rig.settle());
+  state().save.stem = (folder.path() / "before").string();
+  state().save.asked = true;
+  rig.frame();
+  rig.edits().edit_lights().at(0).light.intensity = 7.0f;
+  ASSERT_TRUE(rig.frames_until([&] { return state().message.starts_with("Saved "); }));
+  ASSERT_TRUE(rig.settle());
+  ask();
+  EXPECT_TRUE(shown("Quit"));
+  EXPECT_FALSE(state().leaving.quit);
+}
+
 // Only some dialogs once took Enter.
 TEST_F(LeavingTest, EnterConfirmsEveryDialog) {
   const auto settled = [&] {
