@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <stdexcept>
 #include <thread>
@@ -45,7 +46,8 @@ UiRig::UiRig(LoadFunction load, glm::ivec2 size, float content_scale, Skies skie
           Previewer::Hooks{std::move(load), [this] { woken_ = true; }}, small_settings())),
       content_(value_or_throw(WindowContent::make(*previewer_))),
       size_(size),
-      content_scale_(content_scale) {
+      content_scale_(content_scale),
+      lingers_(std::getenv("ASOS_SLOW_FRAMES") != nullptr) {
   if (skies == Skies::neutral) previewer_->edits().keep_first({true, true, true});
 }
 
@@ -71,6 +73,15 @@ void UiRig::draw() {
   // A window finishes its frames when it presents them. Without this the driver keeps the uploads
   // of all frames.
   gl::glFinish();
+  if (lingers_) linger();
+}
+
+// Lets a short render end within the frame, as with a slow graphics driver.
+void UiRig::linger() const {
+  constexpr int most_waits = 500;
+  const PreviewRender& render = previewer_->render();
+  for (int i = 0; i < most_waits && render.progress().running && render.final_share() < 1.0; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 void UiRig::frame_at(double now_seconds) {
@@ -120,12 +131,16 @@ bool UiRig::opens(const std::string& source) {
 }
 
 bool UiRig::settle() {
-  const bool finished = frames_until([this] {
-    return content_->input().empty() && !previewer_->scene().loading() &&
-           previewer_->render().progress().finished && !previewer_->seconds_to_update(now_seconds_);
+  // A frame may lay the picture out anew after a render that finished within the frame before.
+  constexpr int still_frames = 3;
+  int still = 0;
+  return frames_until([&] {
+    const bool settled = content_->input().empty() && !previewer_->scene().loading() &&
+                         previewer_->render().progress().finished &&
+                         !previewer_->seconds_to_update(now_seconds_);
+    still = settled ? still + 1 : 0;
+    return still > still_frames;
   });
-  for (int i = 0; i < 3; ++i) frame();
-  return finished;
 }
 
 void UiRig::resize(glm::ivec2 size) {

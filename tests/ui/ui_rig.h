@@ -25,7 +25,9 @@ inline const DisplayTransform usual_display = DisplaySettings{}.transform();
 
 /// The window's content in a context in memory, with a clock, a mouse and a keyboard that the test
 /// controls. Opens nothing by itself. It starts in a user's initial state: the panel's tab
-/// Antialias, and the bar under the picture.
+/// Antialias, and the bar under the picture. With the environment variable ASOS_SLOW_FRAMES each
+/// frame takes until the render is finished, at most half a second: the order of events on a
+/// machine that is busy in the window's thread.
 class UiRig {
  public:
   /// The sky of scenes that set none: one colour behind all of them, or their default, as in the
@@ -64,7 +66,8 @@ class UiRig {
   /// Draws only the frames that are due, like the window; the rig's time jumps from one to the
   /// next. Returns true once none is due any more, false after `limit_seconds` of that time.
   [[nodiscard]] bool sleeps(double limit_seconds = 36000.0);
-  /// Draws frames until the render is finished and displayed and all input is processed.
+  /// Draws frames until the render is finished and displayed and all input is processed, and stays
+  /// so for three more frames: the first frame after a change may lay out the picture anew.
   [[nodiscard]] bool settle();
   void resize(glm::ivec2 size);
 
@@ -102,6 +105,7 @@ class UiRig {
  private:
   void run_input();
   void draw();
+  void linger() const;
   void open_tab_of(const std::string& name);
   [[nodiscard]] static bool of_bar(const std::string& name);
 
@@ -110,6 +114,7 @@ class UiRig {
   std::unique_ptr<WindowContent> content_;
   glm::ivec2 size_;
   float content_scale_;
+  bool lingers_;
   double now_seconds_ = 0.0, pressed_seconds_ = 0.0;
   DrawSchedule schedule_;
   std::atomic<bool> woken_ = false;
