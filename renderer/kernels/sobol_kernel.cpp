@@ -28,19 +28,32 @@ HWY_INLINE Bits mirrored_lanes(Bits x) {
   return hn::Or(hn::ShiftRight<16>(x), hn::ShiftLeft<16>(x));
 }
 
+/// As scramble_mirrored_digits.
+HWY_INLINE Bits scrambled_lanes(Bits x, Bits low, Bits high) {
+  const Tag d;
+  x = hn::Xor(x, hn::Mul(x, hn::Set(d, 0x3d20adeau)));
+  x = hn::Add(x, low);
+  x = hn::Mul(x, hn::Or(high, hn::Set(d, 1u)));
+  x = hn::Xor(x, hn::Mul(x, hn::Set(d, 0x05526c56u)));
+  x = hn::Xor(x, hn::Mul(x, hn::Set(d, 0x53a22864u)));
+  return mirrored_lanes(x);
+}
+
 void scramble(std::span<const std::uint32_t> mirrored, std::uint64_t seed,
               std::uint32_t* scrambled) {
   const Tag d;
-  const auto added = hn::Set(d, static_cast<std::uint32_t>(seed));
-  const auto factor = hn::Set(d, static_cast<std::uint32_t>(seed >> 32) | 1u);
-  for (std::size_t i = 0; i < mirrored.size(); i += hn::Lanes(d)) {
-    auto x = hn::LoadU(d, &mirrored[i]);
-    x = hn::Xor(x, hn::Mul(x, hn::Set(d, 0x3d20adeau)));
-    x = hn::Add(x, added);
-    x = hn::Mul(x, factor);
-    x = hn::Xor(x, hn::Mul(x, hn::Set(d, 0x05526c56u)));
-    x = hn::Xor(x, hn::Mul(x, hn::Set(d, 0x53a22864u)));
-    hn::StoreU(mirrored_lanes(x), d, scrambled + i);
+  const auto low = hn::Set(d, static_cast<std::uint32_t>(seed));
+  const auto high = hn::Set(d, static_cast<std::uint32_t>(seed >> 32));
+  for (std::size_t i = 0; i < mirrored.size(); i += hn::Lanes(d))
+    hn::StoreU(scrambled_lanes(hn::LoadU(d, &mirrored[i]), low, high), d, scrambled + i);
+}
+
+void scramble_each(const SeededFractions& of, std::size_t count, std::uint32_t* scrambled) {
+  const Tag d;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto mirrored = hn::LoadU(d, &of.mirrored[i]);
+    const auto low = hn::LoadU(d, &of.low[i]), high = hn::LoadU(d, &of.high[i]);
+    hn::StoreU(scrambled_lanes(mirrored, low, high), d, scrambled + i);
   }
 }
 
@@ -52,10 +65,16 @@ HWY_AFTER_NAMESPACE();
 namespace asos {
 
 HWY_EXPORT(scramble);
+HWY_EXPORT(scramble_each);
 
 void scramble_mirrored(std::span<const std::uint32_t> mirrored, std::uint64_t seed,
                        std::uint32_t* scrambled) {
   HWY_DYNAMIC_DISPATCH(scramble)(mirrored, seed, scrambled);
+}
+
+void scramble_mirrored(const SeededFractions& fractions, std::size_t count,
+                       std::uint32_t* scrambled) {
+  HWY_DYNAMIC_DISPATCH(scramble_each)(fractions, count, scrambled);
 }
 
 void SobolPixelSampler::take_turn(const SobolPixel& pixel, std::uint32_t turn) {
@@ -89,6 +108,22 @@ void SobolBatch::on_light(std::uint32_t light, LightPointBatch& places) const {
     scramble_mirrored(std::span(u_).subspan(first, length), seeds.u, &places.u[first]);
     scramble_mirrored(std::span(v_).subspan(first, length), seeds.v, &places.v[first]);
   }
+}
+
+void SobolBatch::on_light(std::uint32_t light, std::span<const std::uint32_t> of,
+                          LightPointBatch& places) const {
+  SeededFractions u, v;
+  SobolPixel::Seeds seeds{};
+  std::size_t next_run = 0;
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const std::size_t before = next_run;
+    while (next_run < runs_.size() && runs_[next_run].first <= of[k]) ++next_run;
+    if (next_run > before) seeds = runs_[next_run - 1].pixel.light_seeds(light);
+    u.set(k, u_[of[k]], seeds.u);
+    v.set(k, v_[of[k]], seeds.v);
+  }
+  scramble_mirrored(u, of.size(), places.u.data());
+  scramble_mirrored(v, of.size(), places.v.data());
 }
 
 }  // namespace asos

@@ -28,6 +28,10 @@ class SobolBatch {
   }
 
   void on_light(std::uint32_t light, LightPointBatch& places) const;
+  /// The same of the samples with these indices in the batch, which ascend. Their places are
+  /// stored without gaps.
+  void on_light(std::uint32_t light, std::span<const std::uint32_t> of,
+                LightPointBatch& places) const;
 
  private:
   struct Run {
@@ -61,6 +65,20 @@ class SobolPixelSampler {
 
 /// owen_scramble for fractions with mirrored digits. `scrambled` has room for a multiple of 16.
 void scramble_mirrored(std::span<const std::uint32_t> mirrored, std::uint64_t seed,
+                       std::uint32_t* scrambled);
+
+/// Fractions with mirrored digits, with a seed each.
+struct SeededFractions {
+  LightPointBatch::Fractions mirrored, low, high;  ///< 32 bits each of the seeds
+
+  void set(std::size_t i, std::uint32_t fraction, std::uint64_t seed) {
+    mirrored[i] = fraction;
+    low[i] = static_cast<std::uint32_t>(seed);
+    high[i] = static_cast<std::uint32_t>(seed >> 32);
+  }
+};
+/// scramble_mirrored of the first `count` fractions, each by its own seed.
+void scramble_mirrored(const SeededFractions& fractions, std::size_t count,
                        std::uint32_t* scrambled);
 
 }  // namespace asos

@@ -40,6 +40,10 @@ class LightSamplePoints {
   virtual void start_batch(std::span<const SampleIndex> samples) = 0;
   /// Computes `on_light` of each sample of the batch, as 32-bit fractions.
   virtual void on_light(std::uint32_t light, LightPointBatch& places) = 0;
+  /// The same of the samples with these indices in the batch, which ascend. Their places are
+  /// stored without gaps.
+  virtual void on_light(std::uint32_t light, std::span<const std::uint32_t> of,
+                        LightPointBatch& places) = 0;
 };
 
 }  // namespace asos

@@ -3,20 +3,29 @@
 #include "renderer/samples/pixel_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace asos {
 
 void PixelSampler::on_light(std::uint32_t light, LightPointBatch& places) {
-  for (std::size_t i = 0; i < batch_.size(); ++i) {
-    const SampleIndex& sample = batch_[i];
-    if (i == 0 || !sample.same_pixel(batch_[i - 1])) start_pixel(sample.x, sample.y);
+  std::array<std::uint32_t, ShadingPoints::size> all;
+  std::iota(all.begin(), all.end(), 0u);
+  on_light(light, std::span(all).first(batch_.size()), places);
+}
+
+void PixelSampler::on_light(std::uint32_t light, std::span<const std::uint32_t> of,
+                            LightPointBatch& places) {
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const SampleIndex& sample = batch_[of[k]];
+    if (k == 0 || !sample.same_pixel(batch_[of[k - 1]])) start_pixel(sample.x, sample.y);
     start_sample(sample.index);
     constexpr double scale = 4294967296.0;
     const glm::dvec2 at = glm::min(scale * on_light(light), scale - 1.0);
-    places.u[i] = static_cast<std::uint32_t>(at.x);
-    places.v[i] = static_cast<std::uint32_t>(at.y);
+    places.u[k] = static_cast<std::uint32_t>(at.x);
+    places.v[k] = static_cast<std::uint32_t>(at.y);
   }
 }
 

@@ -41,6 +41,8 @@ class PixelSampler : public LightSamplePoints {
   /// Handles one sample after the other.
   void start_batch(std::span<const SampleIndex> samples) override { batch_ = samples; }
   void on_light(std::uint32_t light, LightPointBatch& places) override;
+  void on_light(std::uint32_t light, std::span<const std::uint32_t> of,
+                LightPointBatch& places) override;
 
  private:
   std::span<const SampleIndex> batch_;

@@ -182,7 +182,7 @@ void SampledLights::trace_picked(const Gathered& batch, RadianceSums sums,
   picks.pick(many_, batch.points, batch.picks);
   // A pixel's rays to a light use its first places on that light, which are well distributed
   // together.
-  std::array<std::uint32_t, ShadingPoints::size> first_of_pixel;
+  std::array<std::uint32_t, ShadingPoints::size> first_of_pixel, numbers;
   for (std::uint32_t p = 0; p < batch.points.count; ++p) {
     const bool same = p > 0 && batch.samples[p].same_pixel(batch.samples[p - 1]);
     first_of_pixel[p] = same ? first_of_pixel[p - 1] : p;
@@ -193,14 +193,12 @@ void SampledLights::trace_picked(const Gathered& batch, RadianceSums sums,
     const std::uint32_t light = many_numbers_[i];
     picked.gather(batch.points, by.point);
     if (lights_[light].light->extended()) {
-      places_->on_light(light, on_light_);
       std::uint32_t next = 0;
       for (std::size_t k = 0; k < by.point.size(); ++k) {
-        next = std::max(next, first_of_pixel[by.point[k]]);
-        places.u[k] = on_light_.u[next];
-        places.v[k] = on_light_.v[next];
-        ++next;
+        numbers[k] = std::max(next, first_of_pixel[by.point[k]]);
+        next = numbers[k] + 1;
       }
+      places_->on_light(light, std::span(numbers).first(by.point.size()), places);
     }
     shade_batch(picked, lights_[light], places, rays);
     for (std::size_t k = 0; k < rays.count; ++k) {

@@ -63,6 +63,10 @@ class SobolSampler final : public PixelSampler {
   void on_light(std::uint32_t light, LightPointBatch& places) override {
     batch_.on_light(light, places);
   }
+  void on_light(std::uint32_t light, std::span<const std::uint32_t> of,
+                LightPointBatch& places) override {
+    batch_.on_light(light, of, places);
+  }
 
  private:
   std::uint32_t seed_;

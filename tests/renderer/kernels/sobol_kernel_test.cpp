@@ -41,6 +41,16 @@ TEST(SobolKernel, PlacesOnLightsAreTheOnesOfThePixelsOneByOne) {
         ASSERT_EQ(scale * places.u[i], expected.x) << "sample " << i << ", light " << light;
         ASSERT_EQ(scale * places.v[i], expected.y) << "sample " << i << ", light " << light;
       }
+      for (const std::uint32_t step : {1u, 3u, 40u}) {
+        std::vector<std::uint32_t> some;
+        for (std::uint32_t i = step - 1; i < samples.size(); i += step) some.push_back(i);
+        LightPointBatch of_some;
+        batch.on_light(light, some, of_some);
+        for (std::size_t k = 0; k < some.size(); ++k) {
+          ASSERT_EQ(of_some.u[k], places.u[some[k]]) << "every " << step << ", sample " << some[k];
+          ASSERT_EQ(of_some.v[k], places.v[some[k]]) << "every " << step << ", sample " << some[k];
+        }
+      }
     }
   });
 }
